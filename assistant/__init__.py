@@ -1,0 +1,1 @@
+"""A robot that learns a task by being told what it is, shown it once and corrected by voice."""

@@ -1,0 +1,1 @@
+"""The robot-led dialogue as a pure state machine: ``step(dialogue, event)``."""

@@ -1,0 +1,59 @@
+"""What can go wrong, as values: one root, and under it the two ways a command can end badly.
+
+`BadInput` ends a command with status 2 (what was given cannot be used), `WorkFailed` with
+status 1 (what was given is fine, the work did not succeed). A message says what was wrong
+and what would be right.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One thing wrong with an input.
+
+    Parameters
+    ----------
+    where : str
+        ``file:line`` for files, else the name of the argument or value.
+    what : str
+        What is wrong.
+    right : str
+        What would be right; empty if `what` says it already.
+    """
+
+    where: str
+    what: str
+    right: str = ""
+
+    def __str__(self) -> str:
+        told = f"{self.where}: {self.what}" if self.where else self.what
+        return f"{told}; {self.right}" if self.right else told
+
+
+class AssistantError(Exception):
+    """The root of all errors of this project."""
+
+
+class BadInput(AssistantError):
+    """An input cannot be used; carries every problem found, not only the first."""
+
+    def __init__(self, problems: Sequence[Problem]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))
+
+    @classmethod
+    def one(cls, where: str, what: str, right: str = "") -> BadInput:
+        """Return the error for a single problem."""
+        return cls([Problem(where, what, right)])
+
+
+class WorkFailed(AssistantError):
+    """The input is fine, but the work asked for did not succeed."""
+
+
+class NothingLearned(WorkFailed):
+    """A demonstration taught nothing that could be carried out; the message says why."""

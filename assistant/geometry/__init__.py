@@ -1,0 +1,53 @@
+"""Poses in space: metres, radians, quaternions xyzw; arrays in, new arrays out."""
+
+from assistant.geometry.poses import (
+    IDENTITY,
+    angle_between,
+    compose,
+    distance_between,
+    interpolate,
+    inverse,
+    pose_from_mm_deg,
+    pose_to_mm_deg,
+    relative,
+    rotate_vector,
+    transform_points,
+)
+from assistant.geometry.quaternions import (
+    Array,
+    quat_blend,
+    quat_continuous,
+    quat_from_rotvec,
+    quat_from_rpy,
+    quat_inverse,
+    quat_multiply,
+    quat_normalize,
+    quat_to_matrix,
+    quat_to_rotvec,
+    quat_to_rpy,
+)
+
+__all__ = [
+    "IDENTITY",
+    "Array",
+    "angle_between",
+    "compose",
+    "distance_between",
+    "interpolate",
+    "inverse",
+    "pose_from_mm_deg",
+    "pose_to_mm_deg",
+    "quat_blend",
+    "quat_continuous",
+    "quat_from_rotvec",
+    "quat_from_rpy",
+    "quat_inverse",
+    "quat_multiply",
+    "quat_normalize",
+    "quat_to_matrix",
+    "quat_to_rotvec",
+    "quat_to_rpy",
+    "relative",
+    "rotate_vector",
+    "transform_points",
+]

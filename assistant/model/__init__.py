@@ -1,0 +1,1 @@
+"""Frozen values that every part shares: tasks, setups, scenes, demonstrations, lessons, acts."""

@@ -1,0 +1,1 @@
+"""The arm, its kinematics, the scene and the teacher's scripted hand, simulated."""
