@@ -1,1 +1,105 @@
-"""cli."""
+"""The command line: finds the verb, runs it, and turns errors into one line and a status.
+
+A verb is a module of this package with ``arguments(parser)`` and ``run(args) -> int``. Only the
+verb that was asked for is imported, so that help comes at once; heavy imports stay inside
+``run``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import os
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from assistant.errors import BadInput, WorkFailed
+
+DONE, FAILED, BAD_INPUT = 0, 1, 2
+INTERRUPTED = 130
+
+VERBS = {
+    "teach": "teach the robot in an interactive session (the default)",
+    "demo": "see a whole lesson: taught from the shipped transcript, practiced on Table I",
+    "replay": "run scripted sessions without a teacher",
+    "learn": "learn from demonstrations without dialogue",
+    "adapt": "compute the path of the hand for a setup",
+    "practice": "carry out a learned task and measure the alignment",
+    "evaluate": "measure success over random reachable setups",
+    "understand": "tell what a sentence means",
+    "hear": "recognize and understand sound files",
+    "say": "speak a sentence",
+    "voice": "list sound devices and engines, and test them",
+    "show": "show a tree, lesson, demonstration or setup for people",
+    "check": "validate files",
+    "convert": "convert between formats, by ending",
+    "tasks": "list, show or delete learned tasks",
+    "sessions": "list sessions that can be resumed",
+}
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaint is one line and status 2."""
+
+    def error(self, message: str) -> NoReturn:
+        """Say what is wrong and where help is, then leave with status 2."""
+        self.exit(BAD_INPUT, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one verb and return its exit status."""
+    words = list(sys.argv[1:] if argv is None else argv)
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+    if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help", "--version")):
+        words.insert(0, "teach")
+    try:
+        return _run(words)
+    except BadInput as error:
+        print(error, file=sys.stderr)
+        return BAD_INPUT
+    except WorkFailed as error:
+        print(error, file=sys.stderr)
+        return FAILED
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader has left (`| head`): nobody is there to be told.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return DONE
+
+
+def _run(words: list[str]) -> int:
+    verb = words[0]
+    if verb not in VERBS:
+        _overview().parse_args(words)
+        raise BadInput.one("assistant", f"unknown verb {verb!r}", f"one of {', '.join(VERBS)}")
+    module = importlib.import_module(f"assistant.cli.{verb}")
+    parser = Parser(
+        prog=f"assistant {verb}",
+        description=module.__doc__,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    module.arguments(parser)
+    status: int = module.run(parser.parse_args(words[1:]))
+    return status
+
+
+def _overview() -> Parser:
+    listed = "\n".join(f"  {verb:<11} {summary}" for verb, summary in VERBS.items())
+    parser = Parser(
+        prog="assistant",
+        usage="assistant [VERB] [ARGUMENTS]",
+        description="Teach a robot arm a task by telling it, showing it once and correcting it.",
+        epilog=f"verbs:\n{listed}\n\nassistant VERB --help tells more, with an example.",
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    parser.add_argument("--version", action="version", version=_version())
+    return parser
+
+
+def _version() -> str:
+    from importlib.metadata import version
+
+    return f"assistant {version('teaching-assistant')}"
