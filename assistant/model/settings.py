@@ -30,3 +30,16 @@ class PracticeSettings:
     normal: float = 1.0
     agreed_after: int = 2
     """Setups run uncorrected, with every until-condition perceived, before the robot agrees."""
+
+
+@dataclass(frozen=True, slots=True)
+class SmoothingSettings:
+    """How the tracked hand is smoothed. Source: design, "Smoothing"."""
+
+    cutoff_hz: float = 3.0
+    """Motion of people's hands lies below, tremor (8 to 12 Hz) and tracking noise above."""
+    gap_s: float = 0.4
+    gap_steps: float = 4.0
+    """A stretch without samples is a gap if longer than both, the second in median steps."""
+    most_samples: int = 20_000
+    """Longer recordings are thinned."""
