@@ -7,7 +7,7 @@ and what would be right.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 
@@ -56,4 +56,20 @@ class WorkFailed(AssistantError):
 
 
 class NothingLearned(WorkFailed):
-    """A demonstration taught nothing that could be carried out; the message says why."""
+    """A demonstration taught nothing that could be carried out; the message says why.
+
+    Parameters
+    ----------
+    message : str
+    why : str
+        A key such as ``never_closed``, from which speech is made.
+    facts : mapping, optional
+        What a sentence about it needs.
+    """
+
+    def __init__(
+        self, message: str, why: str = "", facts: Mapping[str, object] | None = None
+    ) -> None:
+        self.why = why
+        self.facts = dict(facts or {})
+        super().__init__(message)
