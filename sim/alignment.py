@@ -1,0 +1,84 @@
+"""How well a released object lies on its target: corners and edges, as in the paper's Table I."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from assistant.geometry import (
+    IDENTITY,
+    Array,
+    angle_between,
+    compose,
+    inverse,
+    quat_inverse,
+    rotate_vector,
+    transform_points,
+)
+from assistant.model.motion import Alignment
+from assistant.model.scene import Body, Scene
+from assistant.model.setup import Setup
+
+ON_GAP_M = 0.004
+"""An object rests on a target if its base is this close to the target's surface."""
+ON_TILT_RAD = np.deg2rad(5.0)
+
+
+def told_bodies(scene: Scene, setup: Setup) -> dict[str, Array]:
+    """Return where the setup says the middle of each body's base is, shape (7,) each."""
+    return {name: scene.body_pose(name, place) for name, place in setup.places.items()}
+
+
+def place_on(
+    scene: Scene, setup: Setup, name: str, target: str, bodies: Mapping[str, Array]
+) -> Array:
+    """Return where the middle of an object's base belongs on a target, shape (7,).
+
+    On a target that can be moved (stacking) it is the middle of its upper face, wherever that
+    body now is; on any other it follows from the flange pose of a release there.
+    """
+    below = scene.bodies.get(target)
+    if below is not None and below.mass_kg > 0 and target in bodies:
+        top = np.array(IDENTITY)
+        top[2] = below.size_mm[2] / 1000.0
+        return compose(bodies[target], top)
+    hand = scene.hand_pose(target, setup.places[target])
+    carried = scene.bodies.get(name)
+    return compose(hand, inverse(carried.hand_in_body)) if carried else hand
+
+
+def base_corners(body: Body) -> Array:
+    """Return the corners of a body's base in its own frame, shape (4, 3), in m."""
+    half_x, half_y = body.size_mm[0] / 2000.0, body.size_mm[1] / 2000.0
+    signs = np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]])
+    return np.column_stack([signs * [half_x, half_y], np.zeros(4)])
+
+
+def alignment(body: Body, pose: Array, place: Array, target: str) -> Alignment:
+    """Return the worst distance between a corner and its place, and the angle between edges.
+
+    Parameters
+    ----------
+    body : Body
+    pose, place : array, shape (7,)
+        Middle of the body's base, as it is and as it should be.
+    target : str
+    """
+    corners = base_corners(body)
+    gaps = transform_points(pose, corners) - transform_points(place, corners)
+    worst = float(np.max(np.sqrt(np.sum(gaps * gaps, axis=-1))))
+    angle = float(angle_between(pose, place))
+    return Alignment(body.name, target, worst * 1000.0, float(np.rad2deg(angle)))
+
+
+def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) -> bool:
+    """Return whether an object lies on a target: at its surface, upright, its middle above it."""
+    gap = rotate_vector(quat_inverse(place[3:]), pose[:3] - place[:3])
+    surface = scene.bodies.get(target) or scene.bodies[name]
+    half_x, half_y = surface.size_mm[0] / 2000.0, surface.size_mm[1] / 2000.0
+    up = rotate_vector(pose[3:], np.array([0.0, 0.0, 1.0]))
+    normal = rotate_vector(place[3:], np.array([0.0, 0.0, 1.0]))
+    upright = float(up @ normal) > float(np.cos(ON_TILT_RAD))
+    inside = bool(abs(gap[0]) <= half_x and abs(gap[1]) <= half_y)
+    return bool(abs(gap[2]) <= ON_GAP_M and inside and upright)

@@ -1,0 +1,103 @@
+"""Corrects a motion after the grasp, by where the body was seen to sit in the hand.
+
+The release moves by the difference between where the body sits and where the plan supposed
+it; the difference comes in smoothly between lifting and docking, so that the last stretch to
+the target keeps its direction. The corrected motion is checked again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from assistant.geometry import (
+    IDENTITY,
+    Array,
+    angle_between,
+    compose,
+    interpolate,
+    inverse,
+)
+from assistant.model.motion import HandStop, JointPath
+from sim import a465
+from sim.kinematics import BRANCHES, forward, inverse_all, limit_margin
+
+LARGEST_M = 0.010
+LARGEST_RAD = np.deg2rad(8.0)
+"""A body that sits further off than this was not grasped as planned: nothing is corrected."""
+
+
+def release_offset(supposed: Array, seen: Array) -> Array | None:
+    """Return the pose to append to the flange at release, shape (7,); None if it is too large.
+
+    Parameters
+    ----------
+    supposed, seen : array, shape (7,)
+        The body's base in the flange's frame, as planned and as the sensor tells.
+    """
+    offset = compose(supposed, inverse(seen))
+    far = float(np.linalg.norm(offset[:3])) > LARGEST_M
+    turned = float(angle_between(offset, IDENTITY)) > LARGEST_RAD
+    return None if far or turned else offset
+
+
+def corrected(motion: JointPath, offset: Array, begin: int, stop: HandStop) -> JointPath | None:
+    """Return the motion with its release moved by an offset; None if that cannot be done.
+
+    Parameters
+    ----------
+    motion : JointPath
+    offset : array, shape (7,)
+        In the flange's frame, see `release_offset`.
+    begin : int
+        Sample from which the offset may come in.
+    stop : HandStop
+        The release.
+    """
+    last = _next_start(motion, stop)
+    q = np.array(motion.q)
+    part = slice(begin, last)
+    samples = np.arange(begin, last, dtype=float)
+    weight = _ramp(samples, begin, stop.docking_at, stop.left_at, last - 1)
+    wanted = compose(forward(q[part]), interpolate(IDENTITY, offset, weight))
+    q[part] = _nearest(wanted, q[part])
+    if not _still_good(q, motion, part):
+        return None
+    margin = float(np.rad2deg(np.min(limit_margin(q))))
+    return replace(motion, q=q, joint_margin_deg=min(margin, motion.joint_margin_deg))
+
+
+def _next_start(motion: JointPath, stop: HandStop) -> int:
+    later = [other.docking_at for other in motion.stops if other.at > stop.at]
+    return min([*later, len(motion.t_s)])
+
+
+def _ramp(samples: Array, begin: int, full: int, fall: int, end: int) -> Array:
+    rise = np.clip((samples - begin) / max(full - begin, 1), 0.0, 1.0)
+    away = np.clip((samples - fall) / max(end - fall, 1), 0.0, 1.0)
+    if end <= fall:
+        away = np.zeros_like(rise)
+    share = rise - away
+    return np.asarray(share**3 * (10.0 - 15.0 * share + 6.0 * share**2))
+
+
+def _nearest(poses: Array, q: Array) -> Array:
+    answers = inverse_all(poses)
+    turns = np.rint((q[:, None, :] - answers) / (2.0 * np.pi))
+    answers = answers + 2.0 * np.pi * turns
+    gaps = np.max(np.abs(answers - q[:, None, :]), axis=-1)
+    gaps = np.where(np.isnan(gaps), np.inf, gaps)
+    best = np.argmin(gaps, axis=-1)
+    assert answers.shape[1] == BRANCHES
+    return np.asarray(answers[np.arange(len(q)), best])
+
+
+def _still_good(q: Array, motion: JointPath, part: slice) -> bool:
+    if not np.all(np.isfinite(q)) or float(np.min(limit_margin(q[part]))) < 0.0:
+        return False
+    steps = np.diff(motion.t_s)[:, None]
+    speed = np.abs(np.diff(q, axis=0)) / steps
+    planned = np.abs(np.diff(motion.q, axis=0)) / steps
+    # Where the plan itself is at its bound, the correction may not add to it noticeably.
+    return bool(np.all(speed <= np.maximum(a465.SPEEDS, 1.02 * planned)))

@@ -1,0 +1,304 @@
+"""An arm that carries out checked motions in a simulated world and tells how it goes.
+
+It keeps the Arm port's promises for both adapters: the stop flag is read by every tick,
+stopping latches and keeps the grip, conditions are checked while it runs, a grasped body is
+looked at and the release corrected, and what happens is reported.
+"""
+
+from __future__ import annotations
+
+import threading
+
+import numpy as np
+
+from assistant.errors import WorkFailed
+from assistant.geometry import Array, angle_between, compose, distance_between, inverse
+from assistant.model.motion import Alignment, ArmReport, HandStop, JointPath
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.ports import ArmLook
+from sim import a465, alignment
+from sim.correction import corrected, release_offset
+from sim.kinematics import forward
+from sim.playback import Playback
+from sim.sensor import InHandSensor, PlaceNoise
+from sim.starting import SAME_PLACE_M, SAME_TURN_RAD, joints_at
+from sim.world import CONTROL_S, Allowed, Fault, World
+
+NOT_WHERE_PLANNED_RAD = np.deg2rad(1.0)
+"""A motion must begin this close to where the arm is."""
+ACTING_S = 3.0
+"""The gripper is done within this time, or something is wrong."""
+STILL_TICKS = 8
+"""The opening has settled when it has not changed for this many ticks."""
+STILL_M = 2e-5
+LOST_TICKS = 3
+
+
+class SimulatedArm:
+    """The Arm port over a world.
+
+    Parameters
+    ----------
+    world : World
+    stop_flag : threading.Event, optional
+        Read by every tick; who set it clears it before the next start.
+    sensor : InHandSensor or None
+        Looks at a grasped body; None leaves the release as planned.
+    noise : PlaceNoise, optional
+        Errors of the told places of bodies that can be carried.
+    """
+
+    def __init__(
+        self,
+        world: World,
+        stop_flag: threading.Event | None = None,
+        *,
+        sensor: InHandSensor | None = None,
+        noise: PlaceNoise | None = None,
+    ) -> None:
+        self.world = world
+        self._flag = stop_flag or threading.Event()
+        self._sensor = sensor
+        self._noise = noise
+        self._scene, self._setup = Scene(), Setup()
+        self._told: dict[str, Array] = {}
+        self._playback: Playback | None = None
+        self._q = np.array(a465.READY)
+        self._hand = forward(self._q)
+        self._now_s = self._began_s = 0.0
+        self._opening_m = a465.GRIPPER.open_m
+        self._carried = ""
+        self._supposed: Array | None = None
+        self._fresh = True
+        self._rest()
+
+    def _rest(self) -> None:
+        self._why = ""
+        self._primitive = -1
+        self._acting_s = 0.0
+        self._still = self._lost = 0
+        self._last_opening_m = np.inf
+        self._released: list[HandStop] = []
+        self._told_samples: list[tuple[int, ArmReport]] = []
+
+    def arrange(self, scene: Scene, setup: Setup) -> None:
+        """Put the arm at the robot start and every body at its place."""
+        self._scene, self._setup = scene, setup
+        self._told = alignment.told_bodies(scene, setup)
+        self._q = joints_at(setup.robot_start.pose)
+        self._hand = forward(self._q)
+        self._playback, self._carried = None, ""
+        self._now_s, self._opening_m = 0.0, a465.GRIPPER.open_m
+        self._supposed = None
+        self._fresh = True
+        self._rest()
+        self.world.arrange(scene, self._placed(), self._q)
+
+    def _placed(self) -> dict[str, Array]:
+        if self._noise is None:
+            return dict(self._told)
+        bodies = self._scene.bodies
+        loose = {n: p for n, p in self._told.items() if n in bodies and bodies[n].mass_kg > 0}
+        return {**self._told, **self._noise.misplaced(loose)}
+
+    def look(self) -> ArmLook:
+        """Return what is measured now."""
+        q, opening = self.world.joints()
+        held = self.world.held()
+        moving = self._playback is not None
+        return ArmLook(q, forward(q), opening, held, self.world.bodies(), moving, self._now_s)
+
+    def start(self, motion: JointPath) -> None:
+        """Begin to carry out a checked motion.
+
+        Raises
+        ------
+        WorkFailed
+            If the motion does not begin where the arm is.
+        """
+        if self._fresh:
+            self._seat(motion.q[0])
+        gap = float(np.max(np.abs(self.world.joints()[0] - motion.q[0])))
+        if gap > NOT_WHERE_PLANNED_RAD:
+            away = float(np.rad2deg(gap))
+            raise WorkFailed(f"the motion begins {away:.1f} deg from where the arm is; plan anew")
+        self._rest()
+        self._fresh = False
+        self._began_s = self._now_s
+        self._playback = Playback(motion)
+        self._plan_reports(motion)
+        if not self._carried:
+            self._opening_m = float(np.clip(motion.gripper_m[0], 0.0, a465.GRIPPER.open_m))
+        elif self._playback.pending and self._playback.pending[0].kind == "release":
+            self._correct(self._carried, 0)
+
+    def _seat(self, q: Array) -> None:
+        # A setup tells where the hand starts; which joint angles hold it there is the plan's.
+        hand = forward(q)
+        near = float(distance_between(hand, self._hand)) < SAME_PLACE_M
+        if near and float(angle_between(hand, self._hand)) < SAME_TURN_RAD:
+            self._q = q
+            self.world.seat(q)
+
+    def stop(self, why: str) -> None:
+        """Brake now, keep the grip, discard what was started."""
+        if self._playback is not None and not self._why:
+            self._why = why
+            self._playback.brake()
+
+    def tick(self) -> tuple[ArmReport, ...]:
+        """Advance by one control period and return what there is to tell."""
+        if self._playback is None:
+            self.world.step(self._q, self._hand, self._opening_m, Allowed(self._carried))
+            self._now_s += CONTROL_S
+            return ()
+        if self._flag.is_set():
+            self.stop("stop")
+        return self._run(self._playback)
+
+    def _run(self, playback: Playback) -> tuple[ArmReport, ...]:
+        acting = playback.at_station and not playback.braking
+        if not acting:
+            playback.advance()
+            self._q, self._hand = playback.now()
+        fault = self.world.step(self._q, self._hand, self._opening_m, self._allowed(playback))
+        self._now_s += CONTROL_S
+        told = self._passed(playback)
+        if fault is None and self._carried and not acting:
+            fault = self._lost_grip()
+        if fault is not None:
+            return (*told, self._halt("unmet", fault.text, fault.body))
+        if playback.at_rest:
+            return (*told, self._halt("halted", self._why))
+        if playback.braking:
+            return tuple(told)
+        if playback.at_station:
+            return (*told, *self._act(playback, playback.pending[0]))
+        if playback.over:
+            return (*told, self._finish())
+        return tuple(told)
+
+    def _allowed(self, playback: Playback) -> Allowed:
+        sample = playback.sample
+        near = [s for s in playback.motion.stops if s.docking_at <= sample <= s.left_at]
+        name = near[0].object if near else self._carried
+        return Allowed(name, bool(near) or not self._carried)
+
+    def _lost_grip(self) -> Fault | None:
+        self._lost = 0 if self.world.held() == self._carried else self._lost + 1
+        return Fault("held", self._carried) if self._lost > LOST_TICKS else None
+
+    def _act(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
+        closing = stop.kind == "grasp"
+        before = self.world.joints()[1]
+        if self._acting_s == 0.0:
+            self._supposed_in_hand(playback, stop)
+            # From where the fingers are, not from where a closed hand without a body would be.
+            self._opening_m = before
+        self._acting_s += CONTROL_S
+        # The command is a ramp, so that the fingers meet the body slowly.
+        step = a465.GRIPPER.speed_m_s * CONTROL_S
+        goal = 0.0 if closing else a465.GRIPPER.open_m
+        self._opening_m += float(np.clip(goal - self._opening_m, -step, step))
+        moved = abs(before - self._last_opening_m)
+        self._last_opening_m = before
+        self._still = self._still + 1 if moved < STILL_M else 0
+        if self._still < STILL_TICKS and self._acting_s < ACTING_S:
+            return ()
+        return self._acted(playback, stop)
+
+    def _supposed_in_hand(self, playback: Playback, stop: HandStop) -> None:
+        if stop.kind == "grasp" and stop.object in self._told:
+            planned = playback.hands[stop.at]
+            self._supposed = compose(inverse(planned), self._told[stop.object])
+
+    def _acted(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
+        playback.pending.pop(0)
+        self._acting_s, self._still = 0.0, 0
+        held = self.world.held()
+        if stop.kind == "release":
+            return self._let_go(stop, held)
+        if held != stop.object:
+            return (self._halt("unmet", "held", stop.object),)
+        self._carried = held
+        if self._sensor is not None:
+            self._correct(held, min(stop.left_at, playback.motion.t_s.size - 1))
+        hand = self._report("perceived", "hand", "closed")
+        return hand, self._report("perceived", "held", held)
+
+    def _let_go(self, stop: HandStop, held: str) -> tuple[ArmReport, ...]:
+        self._carried = ""
+        opened = self._report("perceived", "hand", "open")
+        if held:
+            return opened, self._halt("unmet", "clear", held)
+        self._released.append(stop)
+        bodies = self.world.bodies()
+        if stop.object not in bodies or not self._known(stop.frame):
+            return (opened,)
+        place = alignment.place_on(self._scene, self._setup, stop.object, stop.frame, bodies)
+        self._told[stop.object] = bodies[stop.object]
+        if not alignment.rests_on(self._scene, stop.object, stop.frame, bodies[stop.object], place):
+            return opened, self._halt("unmet", "on", stop.object, stop.frame)
+        return opened, self._report("perceived", "on", stop.object, stop.frame)
+
+    def _known(self, name: str) -> bool:
+        return name in self._setup.places
+
+    def _correct(self, held: str, begin: int) -> None:
+        playback = self._playback
+        if playback is None or not playback.pending or self._sensor is None:
+            return
+        stop = playback.pending[0]
+        if stop.kind != "release" or self._supposed is None:
+            return
+        in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
+        self._now_s += self._sensor.looks * CONTROL_S
+        offset = release_offset(self._supposed, self._sensor.look(in_hand))
+        better = None if offset is None else corrected(playback.motion, offset, begin, stop)
+        if better is not None:
+            playback.replace(better)
+
+    def _plan_reports(self, motion: JointPath) -> None:
+        for stop in motion.stops:
+            docked = ArmReport("perceived", 0.0, -1, "docked", stop.frame)
+            self._told_samples.append((stop.docking_at, docked))
+            if stop.kind == "release":
+                clear = ArmReport("perceived", 0.0, -1, "clear", stop.object)
+                self._told_samples.append((stop.left_at, clear))
+        self._told_samples.sort(key=lambda pair: pair[0])
+
+    def _passed(self, playback: Playback) -> list[ArmReport]:
+        told = []
+        primitive = int(playback.motion.primitive_at[playback.sample])
+        while self._told_samples and self._told_samples[0][0] <= playback.sample:
+            report = self._told_samples.pop(0)[1]
+            told.append(self._report(report.kind, report.text, report.object))
+        if primitive != self._primitive:
+            self._primitive = primitive
+            told.append(self._report("primitive"))
+        return told
+
+    def _report(self, kind: str, text: str = "", name: str = "", target: str = "") -> ArmReport:
+        at_s = self._now_s - self._began_s
+        return ArmReport(kind, at_s, self._primitive, text, name, target)  # type: ignore[arg-type]
+
+    def _halt(self, kind: str, text: str, name: str = "", target: str = "") -> ArmReport:
+        self._playback = None
+        return self._report(kind, text, name, target)
+
+    def _finish(self) -> ArmReport:
+        self._playback = None
+        at_s = self._now_s - self._began_s
+        return ArmReport("finished", at_s, self._primitive, alignments=self._alignments())
+
+    def _alignments(self) -> tuple[Alignment, ...]:
+        bodies = self.world.bodies()
+        out = []
+        for stop in self._released:
+            body = self._scene.bodies.get(stop.object)
+            if body is None or stop.object not in bodies or not self._known(stop.frame):
+                continue
+            place = alignment.place_on(self._scene, self._setup, stop.object, stop.frame, bodies)
+            out.append(alignment.alignment(body, bodies[stop.object], place, stop.frame))
+        return tuple(out)
