@@ -1,0 +1,204 @@
+"""Recordings as CSV: ``t_s,x_m,y_m,z_m,qx,qy,qz,qw,gripper_m``, with ``#`` for comments.
+
+Repeated times stay (learning handles them); quaternions nearly of length 1 are made so, and a
+quaternion that flips its sign is turned back, since both mean the same rotation. What cannot
+be meant, such as NaN or time running backward, is refused with its line.
+"""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterable, Sequence
+from itertools import islice
+from pathlib import Path
+
+import numpy as np
+
+from assistant.errors import BadInput, Problem
+from assistant.files.columns import COLUMNS, columns_of
+from assistant.files.writing import write_text
+from assistant.geometry import Array, quat_continuous, quat_normalize
+from assistant.model.demonstration import Recording
+from assistant.plain_yaml import text_of
+
+MOST_BYTES = 256_000_000
+MOST_PROBLEMS = 20
+FEWEST_SAMPLES = 3
+FARTHEST_M = 20.0
+WIDEST_M = 1.0
+NEARLY_UNIT = 0.05
+"""A quaternion this far from length 1 is rounding of a log; beyond, it is something else."""
+EXACTLY_UNIT = 1e-12
+Numbers = np.ndarray[tuple[int], np.dtype[np.int64]]
+
+
+def read_recording(path: Path) -> Recording:
+    """Return the recording of a CSV file.
+
+    Raises
+    ------
+    BadInput
+        With each line that cannot be used: what is wrong and what would be right.
+    """
+    return recording_of(text_of(path, MOST_BYTES), str(path))
+
+
+def recording_of(text: str, file: str) -> Recording:
+    """Return the recording a CSV text tells; `file` is its name for messages."""
+    header, after = _header(text, file)
+    order = columns_of(header.split(","), f"{file}:{after}")
+    table = _table(text, file, after, len(order))[:, np.argsort(order)]
+    return checked_recording(table, _Lines(text, file, after))
+
+
+class _Lines:
+    """Finds the line of a row; looked for only when there is something to complain about."""
+
+    def __init__(self, text: str, file: str, after: int) -> None:
+        self.text, self.file, self.after = text, file, after
+
+    def where(self, rows: Sequence[int]) -> list[str]:
+        """Return ``file:line`` of rows counted from 0."""
+        numbers = [number for number, _ in _data_lines(self.text, self.after)]
+        return [f"{self.file}:{numbers[row]}" for row in rows]
+
+
+def _header(text: str, file: str) -> tuple[str, int]:
+    """Return the first line that is no comment, and its number."""
+    for number, line in enumerate(io.StringIO(text), start=1):
+        bare = line.split("#", 1)[0].strip()
+        if bare:
+            return bare, number
+    raise BadInput.one(f"{file}:1", "the file is empty", f"begin with {','.join(COLUMNS)}")
+
+
+def _data_lines(text: str, after: int) -> Iterable[tuple[int, str]]:
+    lines = enumerate(io.StringIO(text), start=1)
+    for number, line in islice(lines, after, None):
+        bare = line.split("#", 1)[0].strip()
+        if bare:
+            yield number, bare
+
+
+def _table(text: str, file: str, after: int, columns: int) -> Array:
+    """Return the numbers below the header, shape (n, columns)."""
+    start = _offset_after(text, after)
+    if next(iter(_data_lines(text, after)), None) is None:
+        raise BadInput.one(f"{file}:{after}", "there are no samples below the header")
+    try:
+        table = np.loadtxt(io.StringIO(text[start:]), delimiter=",", ndmin=2)
+    except ValueError as error:
+        raise BadInput(_bad_lines(text, file, after, columns)) from error
+    if table.shape[1] != columns or len(table) == 0:
+        raise BadInput(_bad_lines(text, file, after, columns))
+    return table
+
+
+def _offset_after(text: str, lines: int) -> int:
+    offset = 0
+    for _ in range(lines):
+        offset = text.find("\n", offset) + 1 or len(text)
+    return offset
+
+
+def _bad_lines(text: str, file: str, after: int, columns: int) -> list[Problem]:
+    problems = []
+    for number, line in _data_lines(text, after):
+        what = _why_bad(line.split(","), columns)
+        if what:
+            right = f"{columns} numbers separated by commas, as in the header"
+            problems.append(Problem(f"{file}:{number}", what, right))
+    none = Problem(f"{file}:{after}", "there are no samples below the header")
+    return _few(problems) or [none]
+
+
+def _why_bad(cells: list[str], columns: int) -> str:
+    if len(cells) != columns:
+        return f"{len(cells)} values"
+    for cell in cells:
+        try:
+            float(cell)
+        except ValueError:
+            return f"{cell.strip()[:40]!r} is not a number"
+        if "_" in cell:
+            return f"{cell.strip()[:40]!r} is not a number"
+    return ""
+
+
+def _few(problems: list[Problem]) -> list[Problem]:
+    if len(problems) <= MOST_PROBLEMS:
+        return problems
+    more = len(problems) - MOST_PROBLEMS
+    last = problems[MOST_PROBLEMS - 1]
+    return [*problems[:MOST_PROBLEMS], Problem(last.where, f"and {more} more lines like these")]
+
+
+def checked_recording(table: Array, lines: _Lines) -> Recording:
+    """Return a recording from columns in the order of `COLUMNS`, or raise `BadInput`."""
+    problems = _problems(table, lines)
+    if problems:
+        raise BadInput(_few(problems))
+    quats, length = table[:, 4:8], np.linalg.norm(table[:, 4:8], axis=1, keepdims=True)
+    quats = np.where(np.abs(length - 1.0) > EXACTLY_UNIT, quat_normalize(quats), quats)
+    path = np.concatenate([table[:, 1:4], quat_continuous(quats)], axis=1)
+    return Recording(table[:, 0], path, table[:, 8] if table.shape[1] > 8 else None)
+
+
+def _problems(table: Array, lines: _Lines) -> list[Problem]:
+    finite = np.isfinite(table).all(axis=1)
+    if not finite.all():
+        return _at(np.flatnonzero(~finite), lines, "a value is NaN or infinite", "leave it out")
+    length = np.linalg.norm(table[:, 4:8], axis=1)
+    found = [
+        *_at(
+            np.flatnonzero(np.diff(table[:, 0]) < 0) + 1,
+            lines,
+            "time runs backward",
+            "t_s must not decrease",
+        ),
+        *_at(
+            np.flatnonzero(np.abs(length - 1.0) > NEARLY_UNIT),
+            lines,
+            "the quaternion's length is not 1",
+            "qx,qy,qz,qw of a rotation",
+        ),
+        *_too_far(table, lines),
+    ]
+    if len(table) < FEWEST_SAMPLES:
+        many = "1 sample" if len(table) == 1 else f"{len(table)} samples"
+        right = f"a recording has at least {FEWEST_SAMPLES}"
+        found.append(Problem(lines.file, f"only {many}", right))
+    return found
+
+
+def _too_far(table: Array, lines: _Lines) -> list[Problem]:
+    """Complain about values that can only be millimetres."""
+    far = np.flatnonzero((np.abs(table[:, 1:4]) > FARTHEST_M).any(axis=1))
+    right = "x_m, y_m and z_m are in metres (is this mm?)"
+    problems = _at(far[:1], lines, f"the hand is more than {FARTHEST_M:.0f} m away", right)
+    if table.shape[1] > 8:
+        wide = np.flatnonzero(np.abs(table[:, 8]) > WIDEST_M)
+        what = f"the gripper is open by more than {WIDEST_M:.0f} m"
+        problems += _at(wide[:1], lines, what, "gripper_m is in metres (is this mm?)")
+    return problems
+
+
+def _at(rows: Numbers, lines: _Lines, what: str, right: str) -> list[Problem]:
+    if len(rows) == 0:
+        return []
+    return [Problem(where, what, right) for where in lines.where(rows.tolist())]
+
+
+def write_recording(recording: Recording, path: Path) -> None:
+    """Write a recording as CSV, every number exactly."""
+    write_text(path, recording_text(recording))
+
+
+def recording_text(recording: Recording) -> str:
+    """Return the CSV text of a recording."""
+    columns = [recording.t_s[:, None], recording.path]
+    if recording.gripper_m is not None:
+        columns.append(recording.gripper_m[:, None])
+    rows = np.concatenate(columns, axis=1)
+    header = ",".join(COLUMNS[: rows.shape[1]])
+    return "\n".join([header, *(",".join(map(repr, row)) for row in rows.tolist()), ""])
