@@ -39,20 +39,30 @@ def read_transcript(path: Path, *, resume: bool = False) -> Transcript:
     BadInput
         With every problem, each as ``file:line``.
     """
-    text = text_of(path)
-    if resume:
-        text = text[: _whole(text)]
+    text = _untorn(path) if resume else text_of(path)
     return transcript_of(the_document(list(read_text(text, str(path))), str(path)))
 
 
 def mend_transcript(path: Path) -> str:
     """Cut a torn last step off a journal, so that it can be appended to; return what was cut."""
-    data = path.read_bytes()
-    text = data.rstrip(b"\x00").decode("utf-8", errors="replace")
-    end = _whole(text)
-    if text[end:] or len(data) != len(text.encode()):
-        write_text(path, text[:end])
-    return text[end:]
+    text = _whatever(path)
+    whole = text[: _whole(text)]
+    if whole != text:
+        write_text(path, whole)
+    return text[len(whole) :]
+
+
+def _untorn(path: Path) -> str:
+    text = _whatever(path)
+    return text[: _whole(text)]
+
+
+def _whatever(path: Path) -> str:
+    """Return the text of a journal, even one whose end is half a letter or zeros."""
+    try:
+        return path.read_bytes().decode("utf-8", errors="replace")
+    except OSError:
+        return text_of(path)  # says what is wrong with it
 
 
 def _whole(text: str) -> int:
