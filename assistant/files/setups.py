@@ -85,6 +85,11 @@ def read_setups(path: Path) -> tuple[Setup, ...]:
     documents = [each for each in read_file(path) if each.value is not None]
     if not documents:
         raise BadInput.one(f"{path}:1", "the file is empty", f"begin with format: {FORMAT}")
+    return setups_of(documents)
+
+
+def setups_of(documents: Sequence[Document]) -> tuple[Setup, ...]:
+    """Return the setups that documents tell, or raise `BadInput` with the problems of all."""
     setups: list[Setup] = []
     problems: list[Problem] = []
     for document in documents:

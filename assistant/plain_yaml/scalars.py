@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import re
+from numbers import Integral, Real
 
 Plain = str | int | float | bool | None
 
@@ -45,11 +46,12 @@ def scalar_text(value: Plain, *, in_flow: bool) -> str:
         return "null"
     if isinstance(value, bool):
         return "true" if value else "false"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        return _float_text(value)
-    return value if _is_plain(value, in_flow=in_flow) else _quoted(value)
+    if isinstance(value, Integral):
+        return str(int(value))
+    if isinstance(value, Real):
+        return _float_text(float(value))
+    text = str(value)
+    return text if _is_plain(text, in_flow=in_flow) else _quoted(text)
 
 
 def _float_text(value: float) -> str:

@@ -1,0 +1,93 @@
+"""Reads any file of ours by its ending and its ``format``, with warnings where it is odd."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal
+
+from assistant.errors import BadInput, Problem
+from assistant.files import demonstrations, scenes, setups, tasks, transcripts
+from assistant.files.forms import check_format, the_document
+from assistant.files.oddities import (
+    odd_demonstration,
+    odd_recording,
+    odd_scene,
+    odd_setup,
+    odd_task,
+)
+from assistant.files.recordings import read_recording
+from assistant.model.demonstration import Demonstration, Recording
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+from assistant.model.transcript import Transcript
+from assistant.plain_yaml import read_file
+
+Kind = Literal["task", "setup", "scene", "demonstration", "transcript", "recording"]
+Value = Task | tuple[Setup, ...] | Scene | Demonstration | Transcript | Recording
+FORMATS = (
+    tasks.FORMAT,
+    setups.FORMAT,
+    scenes.FORMAT,
+    demonstrations.FORMAT,
+    transcripts.FORMAT,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Known:
+    """A file that was read.
+
+    Parameters
+    ----------
+    kind : str
+        ``task``, ``setup``, ``scene``, ``demonstration``, ``transcript`` or ``recording``.
+    value : the value read
+        Setups as a tuple.
+    warnings : tuple of Problem
+        What can be used but looks odd.
+    """
+
+    kind: Kind
+    value: Value
+    warnings: tuple[Problem, ...] = ()
+
+
+def read_any(path: Path) -> Value:
+    """Return the value of any file of ours; setups as a tuple.
+
+    Raises
+    ------
+    BadInput
+        With every problem, each as ``file:line``.
+    """
+    return read_known(path).value
+
+
+def read_known(path: Path) -> Known:
+    """Return the value of any file of ours, its kind, and what looks odd about it."""
+    if path.suffix.lower() == ".csv":
+        recording = read_recording(path)
+        return Known("recording", recording, odd_recording(recording, str(path)))
+    documents = [each for each in read_file(path) if each.value is not None]
+    if not documents:
+        the_document(documents, str(path))
+    told = check_format(documents[0], *FORMATS)
+    if told == setups.FORMAT:
+        several = setups.setups_of(documents)
+        return Known("setup", several, odd_setup(several, str(path)))
+    document = the_document(documents, str(path))
+    match told:
+        case tasks.FORMAT:
+            task = tasks.task_of(document)
+            return Known("task", task, odd_task(task, str(path)))
+        case scenes.FORMAT:
+            scene = scenes.scene_of(document)
+            return Known("scene", scene, odd_scene(scene, str(path)))
+        case demonstrations.FORMAT:
+            shown = demonstrations.demonstration_of(document, path.parent)
+            return Known("demonstration", shown, odd_demonstration(shown, str(path)))
+        case transcripts.FORMAT:
+            return Known("transcript", transcripts.transcript_of(document))
+    raise BadInput.one(str(path), f"format {told!r} is not known")
