@@ -160,9 +160,11 @@ class ArmReport:
     text : str
         For ``perceived`` and ``unmet`` a condition's key, such as ``held``; for ``halted`` why.
     object, target : str
-        For ``perceived`` and ``unmet``.
+        For ``perceived`` and ``unmet``; for ``halted`` `object` is what the hand holds.
     alignments : tuple of Alignment
         For ``finished``.
+    height_mm : float or None
+        For ``halted``, where `object` is held: how far its base is above what is below it.
     """
 
     kind: Literal["primitive", "perceived", "unmet", "halted", "finished"]
@@ -172,3 +174,4 @@ class ArmReport:
     object: str = ""
     target: str = ""
     alignments: tuple[Alignment, ...] = ()
+    height_mm: float | None = None
