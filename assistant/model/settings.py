@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Literal
 
 
@@ -44,6 +46,7 @@ class SmoothingSettings:
     """A stretch without samples is a gap if longer than both, the second in median steps."""
     most_samples: int = 20_000
     """Longer recordings are thinned."""
+
 
 @dataclass(frozen=True, slots=True)
 class GeneralizationSettings:
@@ -97,3 +100,138 @@ class BlendingSettings:
     """Of the demonstration's peak speed, which a moved setup never exceeds."""
     brake_s: float = 0.4
     """Slowing down and speeding up again spread over so long."""
+
+
+@dataclass(frozen=True, slots=True)
+class SignalSettings:
+    """Where each signal proposes to cut (paper III-A, design "Candidates")."""
+
+    turn_weight_m: float = 0.1
+    """Metres that count like one radian, where place and turning are joined in one distance."""
+    least_travel_m: float = 0.002
+    """A gripper that moves less never opened or closed."""
+    travel_band: float = 0.2
+    """Half-travel crossings count once the opening is this share of travel beyond half."""
+    depth: float = 0.35
+    """A minimum of speed must be this deep, in log speed, to be proposed."""
+    floor: float = 0.06
+    """Share of the mean speed that counts as rest."""
+    rest: float = 0.25
+    """Below this share of the mean speed the hand rests."""
+    jolt: float = 1.5
+    """A short turn of a resting hand, in local medians of turning; the gripper's reaction."""
+    jolt_window_s: float = 1.5
+    jolt_step_s: float = 0.1
+    """Recordings with longer steps cannot show a jolt."""
+    most_jolt_samples: int = 20_000
+    most_candidates: int = 100
+    least_pace_m_s: float = 1e-4
+    """A hand that never goes faster never moved."""
+
+
+@dataclass(frozen=True, slots=True)
+class VoteSettings:
+    """Weights and spreads of the votes, eqs. (1), (2).
+
+    `weights` are the paper's reliabilities. A spread says how far, as a share of the path from
+    one introduced cut to the next, a vote reaches; where `paper_spread` is set, eq. (1) uses
+    c = 1/(spread V^2) with V the mean speed per second in m/s, as printed in the paper IV-B.
+    """
+
+    weights: Mapping[str, float] = field(
+        default_factory=lambda: MappingProxyType(
+            {"gripper": 0.52, "speed": 0.19, "cue": 0.29, "jolt": 0.29}
+        )
+    )
+    spreads: Mapping[str, float] = field(
+        default_factory=lambda: MappingProxyType(
+            {"gripper": 0.02, "speed": 0.04, "cue": 0.08, "jolt": 0.02}
+        )
+    )
+    paper_spread: bool = False
+
+
+PAPER_VOTES = VoteSettings(
+    weights=MappingProxyType({"gripper": 0.52, "speed": 0.19, "cue": 0.29}),
+    spreads=MappingProxyType({"gripper": 2.0, "speed": 50.0, "cue": 800.0}),
+    paper_spread=True,
+)
+"""Source: paper IV-B: c = 1/(2 V^2), 1/(50 V^2), 1/(800 V^2); w = 0.52, 0.19, 0.29."""
+
+
+@dataclass(frozen=True, slots=True)
+class ValiditySettings:
+    """When an episode is valid, P(E) of paper III-A; the paper names factors, not numbers."""
+
+    least_s: float = 0.3
+    least_share: float = 0.02
+    """Of the whole path: shorter episodes are hardly valid."""
+    dominant: float = 0.7
+    """Share of the motion along one axis from which on its character is clear."""
+    fast: float = 2.0
+    """Mean speeds; an episode that fast is valid whatever its direction."""
+    false_below: float = 0.25
+
+
+@dataclass(frozen=True, slots=True)
+class CueSettings:
+    """How teachers speak: late, not always, not only at transitions."""
+
+    most_lag_s: float = 2.2
+    step_s: float = 0.05
+    usual_lag_s: float = 0.9
+    usual_lag_spread_s: float = 0.8
+    jitter_s: float = 0.2
+    false_share: float = 0.12
+    least_missing: float = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class DecodingSettings:
+    """Weights of the evidence when cuts and assignment are decided together, in log odds.
+
+    Fitted on made-up demonstrations and checked on people's; not from the paper.
+    """
+
+    bias: float = -3.0
+    depth: float = 0.8
+    deepest: float = 3.0
+    rest: float = 1.0
+    bend: float = 0.5
+    gripper: float = 4.0
+    jolt: float = 2.5
+    part: float = 1.0
+    direction: float = 2.0
+    still: float = 1.0
+    wide: float = 8.0
+    nearing: float = 2.0
+    event: float = 4.0
+    lasting: float = 0.7
+    skip: float = 6.0
+    skip_optional: float = 2.0
+    insert: float = 7.0
+
+
+@dataclass(frozen=True, slots=True)
+class SegmentationSettings:
+    """All of cutting and assigning.
+
+    Parameters
+    ----------
+    method : {"decode", "paper"}
+        ``decode``: cuts and assignment together, with the introduction and the teacher's lag
+        as evidence; it measures best. ``paper``: eqs. (1) to (4) as printed.
+    """
+
+    method: Literal["decode", "paper"] = "decode"
+    smoothing: SmoothingSettings = field(default_factory=SmoothingSettings)
+    signals: SignalSettings = field(default_factory=SignalSettings)
+    votes: VoteSettings = field(default_factory=VoteSettings)
+    validity: ValiditySettings = field(default_factory=ValiditySettings)
+    cues: CueSettings = field(default_factory=CueSettings)
+    decoding: DecodingSettings = field(default_factory=DecodingSettings)
+
+
+def paper() -> SegmentationSettings:
+    """Return the method as printed: votes with the paper's constants, argmax of eq. (4)."""
+    return SegmentationSettings(method="paper", votes=PAPER_VOTES)

@@ -1,0 +1,144 @@
+"""All instants at which the demonstration may be cut, with what each signal says there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.learning.signals import (
+    GripperEvent,
+    Minimum,
+    gripper_events,
+    jolts,
+    pace,
+    speed_minima,
+)
+from assistant.learning.smoothing import Smoothed
+from assistant.model.demonstration import Demonstration
+from assistant.model.settings import SegmentationSettings
+
+_TOGETHER_S = 0.12
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """An instant proposed as a cut.
+
+    Parameters
+    ----------
+    at_s : float
+    depth : float
+        Of the minimum of speed here, in log speed; 0 where there is none.
+    rest_s : float
+        How long the hand rests here.
+    bend : float
+        1 - cos of the angle between the ways to and from here, over 2, in [0, 1].
+    gripper : bool
+        The gripper crossed half its travel here.
+    jolt : float
+        Strength of a jolt here.
+    heard : bool
+        Proposed by a spoken cue only.
+    part : bool
+        Within a rest in which the gripper acts, before it does.
+    """
+
+    at_s: float
+    depth: float = 0.0
+    rest_s: float = 0.0
+    bend: float = 0.0
+    gripper: bool = False
+    jolt: float = 0.0
+    heard: bool = False
+    part: bool = False
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """What the signals of one demonstration say."""
+
+    smoothed: Smoothed
+    pace: Array
+    events: tuple[GripperEvent, ...]
+    minima: tuple[Minimum, ...]
+    jolts: Array
+    candidates: tuple[Candidate, ...]
+
+
+def gather(
+    demonstration: Demonstration, smoothed: Smoothed, settings: SegmentationSettings
+) -> Evidence:
+    """Return the candidates of gripper, jolts and speed, merged where they are one instant."""
+    signals = settings.signals
+    speed = pace(smoothed, signals)
+    events = gripper_events(demonstration.recording, signals)
+    minima = speed_minima(smoothed.t_s, speed, signals)
+    shaken = jolts(demonstration.recording, smoothed, signals)
+    minima = tuple(sorted(minima, key=lambda spot: -spot.depth)[: signals.most_candidates])
+    merged = _merged(events, minima, shaken, smoothed)
+    inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]
+    bends = _bends(np.array([c.at_s for c in inside]), smoothed)
+    found = tuple(replace(c, bend=float(b)) for c, b in zip(inside, bends, strict=True))
+    return Evidence(smoothed, speed, events, minima, shaken, found)
+
+
+def _merged(
+    events: tuple[GripperEvent, ...],
+    minima: tuple[Minimum, ...],
+    shaken: Array,
+    smoothed: Smoothed,
+) -> list[Candidate]:
+    """Join what is one instant: the gripper's within a rest, then jolts, then minima."""
+    found: list[Candidate] = [Candidate(event.at_s, gripper=True) for event in events]
+    for at, strength in shaken:
+        near = [k for k, c in enumerate(found) if abs(c.at_s - at) < 4 * _TOGETHER_S]
+        if near:
+            found[near[0]] = replace(found[near[0]], jolt=float(strength))
+        else:
+            found.append(Candidate(float(at), jolt=float(strength)))
+    for spot in minima:
+        found = _with_minimum(found, spot, smoothed)
+    return sorted(found, key=lambda c: c.at_s)
+
+
+def _with_minimum(found: list[Candidate], spot: Minimum, smoothed: Smoothed) -> list[Candidate]:
+    low, high = spot.from_s - _TOGETHER_S, spot.to_s + _TOGETHER_S
+    rest = spot.to_s - spot.from_s
+    inside = [k for k, c in enumerate(found) if low <= c.at_s <= high]
+    if not inside:
+        return [*found, Candidate(spot.at_s, spot.depth, rest)]
+    joined = [
+        replace(c, depth=max(c.depth, spot.depth), rest_s=max(c.rest_s, rest)) if k in inside else c
+        for k, c in enumerate(found)
+    ]
+    # A rest with the gripper's instant in it may hold two cuts: one before, one at the instant.
+    acting = [found[k].at_s for k in inside if found[k].gripper]
+    if acting:
+        step = 0.5 * (spot.from_s + acting[0])
+        if acting[0] - spot.from_s > 4 * _TOGETHER_S:
+            joined.append(Candidate(step, part=True))
+    del smoothed
+    return joined
+
+
+def _bends(at_s: Array, smoothed: Smoothed) -> Array:
+    """Return how much the way turns at instants, over a tenth of the motion's extent."""
+    if len(at_s) == 0:
+        return np.zeros(0)
+    xyz, t_s = smoothed.path[:, :3], smoothed.t_s
+    stride = max(len(t_s) // 1500, 1)
+    xyz, t_s = xyz[::stride], t_s[::stride]
+    reach = 0.1 * float(np.linalg.norm(np.ptp(xyz, axis=0))) + 1e-6
+    bends = np.zeros(len(at_s))
+    for k, at in enumerate(at_s):
+        here = int(np.clip(np.searchsorted(t_s, at), 0, len(t_s) - 1))
+        away = xyz - xyz[here]
+        far = np.linalg.norm(away, axis=1) > reach
+        before, after = np.flatnonzero(far[:here]), np.flatnonzero(far[here:])
+        if len(before) and len(after):
+            way_in, way_out = -away[before[-1]], away[here + after[0]]
+            cos = way_in @ way_out / (np.linalg.norm(way_in) * np.linalg.norm(way_out))
+            bends[k] = 0.5 * (1.0 - cos)
+    return bends

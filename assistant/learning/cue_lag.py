@@ -1,0 +1,90 @@
+"""How late this teacher speaks: estimated from the demonstration, not assumed (design).
+
+Each cue is false, or follows a cut by the teacher's lag with jitter. Against the chances
+that cuts lie at the candidates this gives a distribution of the lag, and the lag one of how
+much each cue says for each instant.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.model.settings import CueSettings
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lag:
+    """Distribution of a teacher's lag.
+
+    Parameters
+    ----------
+    lags_s : array, shape (m,)
+    chances : array, shape (m,)
+        Sum to 1.
+    jitter_s : float
+        Of single cues about the lag.
+    """
+
+    lags_s: Array
+    chances: Array
+    jitter_s: float
+
+    @property
+    def best_s(self) -> float:
+        """The mean lag around the likeliest one."""
+        peak = self.lags_s[int(np.argmax(self.chances))]
+        near = self.chances * (np.abs(self.lags_s - peak) < 0.3)
+        return float(np.sum(near * self.lags_s) / np.sum(near))
+
+
+def estimate(cues_s: Array, at_s: Array, chances: Array, end_s: float, given: CueSettings) -> Lag:
+    """Return the distribution of the lag.
+
+    Parameters
+    ----------
+    cues_s : array, shape (c,)
+    at_s, chances : array, shape (k,)
+        Candidates and the probability that a cut lies there.
+    end_s : float
+        Length of the demonstration.
+    given : CueSettings
+    """
+    lags = np.arange(0.0, given.most_lag_s + 1e-9, given.step_s)
+    usual = np.exp(-0.5 * ((lags - given.usual_lag_s) / given.usual_lag_spread_s) ** 2)
+    if len(cues_s) == 0 or len(at_s) == 0:
+        return Lag(lags, usual / np.sum(usual), given.jitter_s)
+    late = cues_s[None, :, None] - at_s[None, None, :] - lags[:, None, None]
+    bell = _bell(late, given.jitter_s) @ chances / max(float(np.sum(chances)), 1e-9)
+    false = given.false_share / max(end_s, 1e-9)
+    told = np.sum(np.log(false + (1.0 - given.false_share) * bell), axis=1)
+    score = np.exp(told - np.max(told)) * usual
+    return Lag(lags, score / np.sum(score), given.jitter_s)
+
+
+def support(
+    cues_s: Array, at_s: Array, lag: Lag, missing: float, false_rate: float
+) -> tuple[Array, Array]:
+    """Return what the cues say for cuts, in log odds.
+
+    Returns
+    -------
+    alone : array, shape (k,)
+        For a cut at each instant: one with no cue near loses log(missing), one with a cue at
+        the teacher's lag gains.
+    shared : array, shape (k, k)
+        What two cuts gained from the same cue, which can be the reason of one cut only.
+    """
+    if len(cues_s) == 0:
+        return np.zeros(len(at_s)), np.zeros((len(at_s), len(at_s)))
+    late = cues_s[None, :, None] - at_s[:, None, None] - lag.lags_s
+    heard = _bell(late, lag.jitter_s) @ lag.chances
+    gain = np.log1p((1.0 - missing) * heard / (missing * false_rate))
+    shared = np.max(np.minimum(gain[:, None, :], gain[None, :, :]), axis=2)
+    return np.log(missing) + np.max(gain, axis=1), shared
+
+
+def _bell(values: Array, spread: float) -> Array:
+    return np.asarray(np.exp(-0.5 * (values / spread) ** 2) / (spread * np.sqrt(2.0 * np.pi)))

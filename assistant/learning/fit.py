@@ -1,0 +1,237 @@
+"""How well a stretch of the demonstration fits a primitive: P(S|E) of paper III-B, in log odds.
+
+Factors as in the paper: (a) the motion's character against the action, (b) salient events
+(the gripper's), (c) the objects involved, where their places are known.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array, quat_inverse, quat_multiply, quat_to_rotvec, rotate_vector
+from assistant.learning.candidates import Evidence
+from assistant.learning.character import AXES
+from assistant.model.demonstration import Demonstration
+from assistant.model.settings import SegmentationSettings
+from assistant.model.task import Primitive, Task, primitives
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stretches:
+    """All stretches between pairs of instants; arrays have shape (n, n, ...), from row to column.
+
+    Parameters
+    ----------
+    at_s : array, shape (n,)
+        Start, candidates, end.
+    xyz : array, shape (n, 3)
+    ways : array, shape (n, n, 3)
+        Displacements in m.
+    turns : array, shape (n, n, 3)
+        Rotation vectors in the base frame, rad.
+    lasting_s : array, shape (n, n)
+    inside, at_end : mapping of event kind to array, shape (n, n)
+        Gripper events strictly within a stretch, and at its end.
+    extent_m : float
+        Of the whole motion.
+    """
+
+    at_s: Array
+    xyz: Array
+    quats: Array
+    ways: Array
+    turns: Array
+    lasting_s: Array
+    inside: dict[str, Array]
+    at_end: dict[str, Array]
+    extent_m: float
+
+
+def stretches(at_s: Array, evidence: Evidence) -> Stretches:
+    """Return all stretches between the given instants."""
+    t_s, path = evidence.smoothed.t_s, evidence.smoothed.path
+    here = np.clip(np.searchsorted(t_s, at_s), 0, len(t_s) - 1)
+    xyz, quats = path[here, :3], path[here, 3:]
+    turned = quat_to_rotvec(quat_multiply(quats[None, :], quat_inverse(quats)[:, None]))
+    inside: dict[str, Array] = {}
+    at_end: dict[str, Array] = {}
+    near = 1e-6
+    for kind in ("close", "open"):
+        events = np.array([e.at_s for e in evidence.events if e.kind == kind])
+        upto = np.searchsorted(events, at_s + near, side="right").astype(float)
+        before = np.searchsorted(events, at_s - near, side="left").astype(float)
+        inside[kind] = np.maximum(before[None, :] - upto[:, None], 0.0)
+        at_end[kind] = np.broadcast_to((upto - before)[None, :], inside[kind].shape)
+    return Stretches(
+        at_s=at_s,
+        xyz=xyz,
+        quats=quats,
+        ways=xyz[None, :] - xyz[:, None],
+        turns=turned,
+        lasting_s=at_s[None, :] - at_s[:, None],
+        inside=inside,
+        at_end=at_end,
+        extent_m=float(np.linalg.norm(np.ptp(path[:, :3], axis=0))) + 1e-6,
+    )
+
+
+def fits(
+    task: Task,
+    demonstration: Demonstration,
+    evidence: Evidence,
+    between: Stretches,
+    settings: SegmentationSettings,
+) -> Array:
+    """Return the log odds of each stretch as each primitive, shape (n, n, leaves)."""
+    leaves = primitives(task.tree)
+    places = known_places(task, demonstration, evidence)
+    usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
+    seen = demonstration.recording.gripper_m is not None
+    told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
+    scores = [
+        _character(leaf, between, seen, settings)
+        + _events(leaf, task, between, seen, told, settings)
+        + _objects(leaf, places, between, settings)
+        + _lasting(leaf, between, usual_s, settings)
+        for leaf in leaves
+    ]
+    return np.stack(scores, axis=-1)
+
+
+def known_places(task: Task, demonstration: Demonstration, evidence: Evidence) -> dict[str, Array]:
+    """Return where things are as flange places, from the setup or else from the gripper.
+
+    Source: contract, demonstration: an object is where the hand closed on it, a target where
+    it opened. Without told places this holds for the introduced order of the things.
+    """
+    places = {
+        name: place.pose[:3]
+        for name, place in demonstration.setup.places.items()
+        if place.kind == "hand" and task.object(name) is not None
+    }
+    smoothed = evidence.smoothed
+    moved = {"close": "object", "open": "target"}
+    for kind, role in moved.items():
+        at = [e.at_s for e in evidence.events if e.kind == kind]
+        names = _in_order(task, role)
+        if len(at) != len(names) or any(name in places for name in names):
+            continue
+        for name, instant in zip(names, at, strict=True):
+            row = int(np.clip(np.searchsorted(smoothed.t_s, instant), 0, len(smoothed.t_s) - 1))
+            places[name] = smoothed.path[row, :3]
+    return places
+
+
+def _in_order(task: Task, role: str) -> list[str]:
+    names: list[str] = []
+    for leaf in primitives(task.tree):
+        known = task.object(leaf.action.object or "")
+        if known is not None and known.role == role and known.name not in names:
+            names.append(known.name)
+    return names
+
+
+def _character(
+    leaf: Primitive, between: Stretches, seen: bool, settings: SegmentationSettings
+) -> Array:
+    """Return (a), whether the motion looks like the action."""
+    given = settings.decoding
+    far = np.linalg.norm(between.ways, axis=-1)
+    share = far / between.extent_m
+    still = -given.still * np.exp(-share / 0.03)
+    if leaf.action.verb == "hand":
+        wide = -given.wide * np.maximum(share - 0.2, 0.0)
+        return np.asarray(wide if seen else wide - 0.5 * given.wide * share)
+    if leaf.action.verb == "turn":
+        return given.direction * _turning(leaf.action.way, between)
+    axis = AXES.get(leaf.action.way)
+    if leaf.action.verb == "free" or axis is None:
+        return np.asarray(still)
+    along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
+    clear = np.clip(1.5 * along, -1.0, 1.0)
+    return np.asarray(given.direction * clear + still)
+
+
+def _turning(way: str, between: Stretches) -> Array:
+    size = np.linalg.norm(between.turns, axis=-1)
+    approach = rotate_vector(between.quats, np.array([1.0, 0.0, 0.0]))
+    lateral = rotate_vector(between.quats, np.array([0.0, 1.0, 0.0]))
+    axes = {
+        "left": np.array([[0.0, 0.0, 1.0]]),
+        "right": np.array([[0.0, 0.0, -1.0]]),
+        "up": -lateral,
+        "down": lateral,
+        "forward": np.array([[0.0, 1.0, 0.0]]),
+        "backward": np.array([[0.0, -1.0, 0.0]]),
+        "clockwise": approach,
+        "counterclockwise": -approach,
+    }
+    axis = np.broadcast_to(axes[way], (*between.quats.shape[:1], 3))
+    along = np.sum(between.turns * axis[:, None, :], axis=-1)
+    return np.asarray(np.clip(1.3 * along / (size + 0.1), -1.0, 1.0))
+
+
+def _events(
+    leaf: Primitive,
+    task: Task,
+    between: Stretches,
+    seen: bool,
+    told: frozenset[str],
+    settings: SegmentationSettings,
+) -> Array:
+    """Return (b), whether the gripper did what the action says, and nothing else."""
+    given = settings.decoding
+    score = np.zeros_like(between.lasting_s)
+    if not seen:
+        return score
+    if leaf.action.verb == "hand":
+        other = "open" if leaf.action.way == "close" else "close"
+        wanted = between.inside[leaf.action.way] + between.at_end[leaf.action.way]
+        wrong = between.inside[other] + between.at_end[other]
+        return np.asarray(
+            np.where(wanted == 1, given.event, -given.event)
+            - given.event * np.maximum(wanted - 1, 0.0)
+            - given.event * wrong
+        )
+    known = task.object(leaf.action.object or "")
+    ends = {"object": "close", "target": "open"}.get(known.role if known else "", "")
+    for kind in ("close", "open"):
+        score -= given.event * between.inside[kind]
+        if kind in told:
+            score -= 0.5 * given.event * between.at_end[kind]
+        elif kind == ends and leaf.action.way not in ("depart", "up"):
+            score += 0.5 * given.event * between.at_end[kind]
+    return score
+
+
+def _objects(
+    leaf: Primitive,
+    places: dict[str, Array],
+    between: Stretches,
+    settings: SegmentationSettings,
+) -> Array:
+    """Return (c), whether the hand goes where the thing is, or leaves from there."""
+    place = places.get(leaf.action.object or "")
+    if place is None:
+        return np.zeros_like(between.lasting_s)
+    gap = np.linalg.norm(between.xyz - place, axis=-1) / (0.2 * between.extent_m)
+    close = 2.0 * np.exp(-0.5 * gap**2) - 1.0
+    weight = settings.decoding.nearing
+    if leaf.action.way in ("depart", "up"):
+        return np.broadcast_to(weight * close[:, None], between.lasting_s.shape).copy()
+    if leaf.action.verb == "hand":
+        return np.asarray(0.5 * weight * (close[None, :] + close[:, None]))
+    return np.broadcast_to(weight * close[None, :], between.lasting_s.shape).copy()
+
+
+def _lasting(
+    leaf: Primitive, between: Stretches, usual_s: float, settings: SegmentationSettings
+) -> Array:
+    """Return whether it lasts as such a step does, and long enough to be one (P(E), III-A)."""
+    usual = usual_s * (0.5 if leaf.action.verb == "hand" else 1.1)
+    lasting = np.maximum(between.lasting_s, 1e-3)
+    off = np.log(lasting / usual)
+    short = np.where(lasting < settings.validity.least_s, -3.0, 0.0)
+    return np.asarray(-0.5 * settings.decoding.lasting * off**2 + short)

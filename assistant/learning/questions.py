@@ -1,0 +1,74 @@
+"""What the robot should ask after cutting and assigning, instead of forcing an answer."""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+from assistant.learning.candidates import Evidence
+from assistant.model.demonstration import Demonstration
+from assistant.model.lesson import Episode, Question, SegmentationPoint
+from assistant.model.task import Task, primitives
+
+UNSURE_CUT = 0.5
+
+
+def questions(
+    task: Task,
+    demonstration: Demonstration,
+    evidence: Evidence,
+    points: tuple[SegmentationPoint, ...],
+    episodes: tuple[Episode, ...],
+) -> tuple[Question, ...]:
+    """Return the questions in the order in which they should be asked."""
+    leaves = primitives(task.tree)
+    shown = [episode.primitive for episode in episodes if episode.primitive is not None]
+    counts: dict[str, object] = {"introduced": len(leaves), "shown": len(episodes)}
+    found = [
+        _ask("missing_step", leaf.name, "never_shown", counts)
+        for leaf in leaves
+        if leaf.name not in shown and not leaf.optional
+    ]
+    found += [
+        _ask(
+            "missing_step",
+            "",
+            "never_introduced",
+            {**counts, "from_s": e.from_s, "to_s": e.to_s, "character": e.character},
+        )
+        for e in episodes
+        if e.primitive is None
+    ]
+    found += _unsure(points, episodes)
+    found += _hand(demonstration, evidence)
+    found += [
+        _ask("confirm_segmentation", "", "gap", {"from_s": a, "to_s": b})
+        for a, b in evidence.smoothed.gaps_s
+    ]
+    return tuple(found)
+
+
+def _unsure(points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...]) -> list[Question]:
+    cuts = [point for point in points if point.kept and not point.internal]
+    return [
+        _ask(
+            "confirm_segmentation",
+            before.primitive or "",
+            "unsure_cut",
+            {"at_s": cut.at_s, "confidence": cut.confidence, "next": after.primitive or ""},
+        )
+        for cut, before, after in zip(cuts, episodes[:-1], episodes[1:], strict=False)
+        if cut.confidence < UNSURE_CUT
+    ]
+
+
+def _hand(demonstration: Demonstration, evidence: Evidence) -> list[Question]:
+    if demonstration.recording.gripper_m is None:
+        return [_ask("confirm_segmentation", "hand", "no_gripper", {})]
+    if evidence.events and evidence.events[-1].kind == "close":
+        at_s = evidence.events[-1].at_s
+        return [_ask("missing_step", "hand", "ends_holding", {"closed_s": at_s})]
+    return []
+
+
+def _ask(asked: str, about: str, reason: str, facts: dict[str, object]) -> Question:
+    return Question(asked, about, reason, MappingProxyType(facts))

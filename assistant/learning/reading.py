@@ -1,0 +1,162 @@
+"""Read a demonstration: weigh signals, cues and introduction, and decode cuts and assignment."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.learning.candidates import Candidate, Evidence
+from assistant.learning.cue_lag import Lag, estimate, support
+from assistant.learning.decoding import Lattice, Reading, decode
+from assistant.learning.fit import fits, stretches
+from assistant.learning.introduction import orders
+from assistant.model.demonstration import Demonstration
+from assistant.model.settings import DecodingSettings, SegmentationSettings
+from assistant.model.task import Task, primitives
+
+_NEVER = -1e6
+_ROUNDS = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Understood:
+    """A demonstration as read.
+
+    Parameters
+    ----------
+    at_s : array, shape (n,)
+        Start, candidates, end.
+    candidates : tuple of Candidate
+        Without start and end.
+    reading : Reading
+        Over `at_s`; positions are those of `order`.
+    order : tuple of int
+        Leaves in the order in which they were shown.
+    lag : Lag or None
+        None without cues.
+    """
+
+    at_s: Array
+    candidates: tuple[Candidate, ...]
+    reading: Reading
+    order: tuple[int, ...]
+    lag: Lag | None
+
+    def leaf(self, position: int | None) -> int | None:
+        """Return which leaf of the tree a position of the reading is."""
+        return None if position is None else self.order[position]
+
+
+def read(
+    demonstration: Demonstration,
+    task: Task,
+    evidence: Evidence,
+    settings: SegmentationSettings,
+) -> Understood:
+    """Return the best reading; the teacher's lag and the cuts sharpen each other."""
+    cues_s = np.array([cue.at_s for cue in demonstration.cues])
+    end_s = float(evidence.smoothed.t_s[-1])
+    understood = _read(demonstration, task, evidence, settings, evidence.candidates, cues_s, None)
+    for _ in range(_ROUNDS if len(cues_s) else 0):
+        chances = understood.reading.cut_chances[1:-1]
+        lag = estimate(cues_s, understood.at_s[1:-1], chances, end_s, settings.cues)
+        heard = _with_heard(evidence, cues_s, lag)
+        understood = _read(demonstration, task, evidence, settings, heard, cues_s, lag)
+    return understood
+
+
+def read_cuts(
+    demonstration: Demonstration,
+    task: Task,
+    evidence: Evidence,
+    settings: SegmentationSettings,
+    cuts_s: Sequence[float],
+) -> Understood:
+    """Return the best assignment where the cuts are told."""
+    told = tuple(Candidate(float(at)) for at in sorted(cuts_s))
+    return _read(demonstration, task, evidence, settings, told, np.zeros(0), None, fixed=True)
+
+
+def local_scores(candidates: Sequence[Candidate], usual_s: float, given: DecodingSettings) -> Array:
+    """Return what the motion itself says for a cut at each candidate, in log odds, shape (k,).
+
+    Parameters
+    ----------
+    candidates : sequence of Candidate
+    usual_s : float
+        Mean time from one introduced cut to the next: rests are long or short against it.
+    given : DecodingSettings
+    """
+    return np.array(
+        [
+            given.bias
+            + given.depth * min(spot.depth, given.deepest)
+            + given.rest * np.log1p(spot.rest_s / (0.1 * usual_s))
+            + given.bend * spot.bend
+            + given.gripper * spot.gripper
+            + given.jolt * np.log1p(spot.jolt)
+            - given.part * spot.part
+            for spot in candidates
+        ]
+    ).reshape(len(candidates))
+
+
+def _with_heard(evidence: Evidence, cues_s: Array, lag: Lag) -> tuple[Candidate, ...]:
+    """Add an instant for each cue where no signal proposes one."""
+    begin_s, end_s = float(evidence.smoothed.t_s[0]), float(evidence.smoothed.t_s[-1])
+    known = np.array([spot.at_s for spot in evidence.candidates])
+    heard = [
+        Candidate(float(at), heard=True)
+        for at in np.unique(cues_s - lag.best_s)
+        if begin_s + 0.2 < at < end_s - 0.2 and not np.any(np.abs(known - at) < 0.3)
+    ]
+    return tuple(sorted([*evidence.candidates, *heard], key=lambda spot: spot.at_s))
+
+
+def _read(
+    demonstration: Demonstration,
+    task: Task,
+    evidence: Evidence,
+    settings: SegmentationSettings,
+    candidates: tuple[Candidate, ...],
+    cues_s: Array,
+    lag: Lag | None,
+    *,
+    fixed: bool = False,
+) -> Understood:
+    t_s = evidence.smoothed.t_s
+    leaves = primitives(task.tree)
+    given = settings.decoding
+    at_s = np.array([t_s[0], *(spot.at_s for spot in candidates), t_s[-1]])
+    between = stretches(at_s, evidence)
+    steps = fits(task, demonstration, evidence, between, settings)
+    unnamed = -given.insert + np.where(between.lasting_s < settings.validity.least_s, -3.0, 0.0)
+    cuts = np.zeros(len(at_s))
+    cuts[1:-1] = local_scores(candidates, float(np.ptp(t_s)) / max(len(leaves), 1), given)
+    if lag is not None:
+        alone, shared = _heard(cues_s, at_s, lag, len(leaves), settings)
+        cuts[1:-1] += alone
+        steps[1:-1, 1:-1] -= shared[:, :, None]
+        unnamed[1:-1, 1:-1] -= shared
+    if fixed:
+        apart = np.triu(np.full(unnamed.shape, _NEVER), 2)
+        steps, unnamed, cuts = steps + apart[:, :, None], unnamed + apart, np.zeros(len(at_s))
+    skips = np.array([-(given.skip_optional if leaf.optional else given.skip) for leaf in leaves])
+    ways = [
+        (decode(Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)])), order)
+        for order in orders(task)
+    ]
+    reading, order = max(ways, key=lambda way: way[0].evidence)
+    return Understood(at_s, candidates, reading, order, lag)
+
+
+def _heard(
+    cues_s: Array, at_s: Array, lag: Lag, leaves: int, settings: SegmentationSettings
+) -> tuple[Array, Array]:
+    given = settings.cues
+    missing = float(np.clip(1.0 - len(cues_s) / max(leaves - 1, 1), given.least_missing, 0.9))
+    false_rate = max(len(cues_s) * given.false_share, 0.3) / float(np.ptp(at_s))
+    return support(cues_s, at_s[1:-1], lag, missing, false_rate)
