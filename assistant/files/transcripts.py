@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from assistant.errors import BadInput, Problem
 from assistant.files.forms import check_format, the_document, validated
@@ -137,10 +137,7 @@ def begin_journal(transcript: Transcript, path: Path) -> None:
     try:
         with path.open("xb") as file:
             head = write({**_values(transcript), "steps": []}).replace("steps: []", "steps:")
-            file.write(head.encode())
-            file.write("".join(_item(step) for step in transcript.steps).encode())
-            file.flush()
-            os.fsync(file.fileno())
+            _flush(file, head + "".join(_item(step) for step in transcript.steps))
     except FileExistsError as error:
         raise BadInput.one(str(path), "a journal of this name exists", "another name") from error
     except OSError as error:
@@ -157,11 +154,21 @@ def append_step(path: Path, step: Step) -> None:
     """
     try:
         with path.open("ab") as file:
-            file.write(_item(step).encode("utf-8", errors="replace"))
-            file.flush()
-            os.fsync(file.fileno())
+            before = file.tell()
+            try:
+                _flush(file, _item(step))
+            except OSError:
+                # A full disk may take half a step: the next reader must not find it.
+                os.ftruncate(file.fileno(), before)
+                raise
     except OSError as error:
         raise cannot_write(path, error) from error
+
+
+def _flush(file: BinaryIO, text: str) -> None:
+    file.write(text.encode("utf-8", errors="replace"))
+    file.flush()
+    os.fsync(file.fileno())
 
 
 def _item(step: Step) -> str:
