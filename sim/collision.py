@@ -7,12 +7,13 @@ to the base that may stand on them.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from assistant.geometry import Array, compose
+from assistant.geometry import Array, compose, quat_to_matrix
 from assistant.model.scene import Scene
 from sim import a465
 from sim.a465 import GRIPPER
@@ -24,6 +25,10 @@ CLEARANCE_M = 0.003
 CARRIED_SLACK_M = 0.0015
 """What is carried rests on tables and on other bodies: it may touch, not sink in."""
 FAR = 1.0
+NEAR_M = 0.01
+"""Only what a quick bound finds nearer than this is looked at closely."""
+
+Indices = NDArray[np.int64]
 
 _BASE_POSE = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
 
@@ -37,13 +42,10 @@ class Standing:
     name : str
     box : Boxes
         At one place.
-    for_arm : bool
-        Whether the arm's links and hand must keep clear of it.
     """
 
     name: str
     box: Boxes
-    for_arm: bool = True
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +98,7 @@ def touches(
     gripper_m: Array,
     things: tuple[Standing, ...],
     carried: Carried | None = None,
-    allowed: dict[tuple[str, str], Flags] | None = None,
+    allowed: Mapping[tuple[str, str], Flags] | None = None,
 ) -> Touch:
     """Return how near a path of the joints comes to anything.
 
@@ -111,9 +113,8 @@ def touches(
         Samples at which these may touch. Parts are ``arm``, ``palm``, ``fingers`` and
         ``carried``.
     """
-    poses, points = forward(q), arm_points(q)
     least, part, thing = np.full(len(q), FAR), "", ""
-    for where, what, gap in _gaps(poses, points, gripper_m, things, carried):
+    for where, what, gap in _gaps(_parts(q, gripper_m, carried), things):
         permitted = (allowed or {}).get((where, what))
         gap = gap if permitted is None else np.where(permitted, FAR, gap)
         if gap.min() < least.min():
@@ -122,76 +123,94 @@ def touches(
     return Touch(least, part, thing, int(np.argmin(least)))
 
 
-def _gaps(
-    poses: Array,
-    points: tuple[Array, Array],
-    gripper_m: Array,
-    things: tuple[Standing, ...],
-    carried: Carried | None,
-) -> Iterator[tuple[str, str, Array]]:
-    links = _links(poses, *points)
-    boxes = [("palm", _palm(poses)), *(("fingers", box) for box in _fingers(poses, gripper_m))]
-    for thing in things:
-        for number, (start, end, radius) in enumerate(links):
-            # The upper arm turns on the base; what lies under the base's rim is out of reach.
-            if thing.for_arm and (number > 0 or thing.name not in ("base", "floor")):
-                gap = _link_gap(start, end, radius, thing.box)
-                yield "arm", thing.name, gap - CLEARANCE_M
-        if thing.for_arm:
-            for part, box in boxes:
-                yield part, thing.name, _box_gap(box, thing.box) - CLEARANCE_M
-    if carried is None:
-        upper = links[0]
-        yield "palm", "upper arm", _link_gap(*upper, boxes[0][1]) - CLEARANCE_M
-        return
-    held = box_at(compose(poses, carried.in_hand), carried.middle, carried.size)
-    for start, end, radius in links[:2]:
-        yield "carried", "arm", _link_gap(start, end, radius, held) - CLEARANCE_M
-    for thing in things:
-        yield "carried", thing.name, _box_gap(held, thing.box) + CARRIED_SLACK_M
+@dataclass(frozen=True, slots=True, eq=False)
+class _Part:
+    """A moving part: a capsule where `box` is None, else a box with the ball around it."""
+
+    name: str
+    middle: Array
+    half: Array
+    radius: float
+    box: Boxes | None
+    keeps: float = CLEARANCE_M
+
+    def gap(self, thing: Boxes, near: Indices) -> Array:
+        """Return the distance from a box at the chosen samples."""
+        if self.box is not None:
+            return boxes_apart(self.box.at(near), thing.at(near)) - self.keeps
+        start, end = self.middle - self.half, self.middle + self.half
+        return segment_apart(start[near], end[near], thing.at(near)) - self.radius - self.keeps
 
 
-def _links(poses: Array, elbow: Array, wrist: Array) -> list[tuple[Array, Array, float]]:
+def _parts(q: Array, gripper_m: Array, carried: Carried | None) -> list[_Part]:
+    poses, (elbow, wrist) = forward(q), arm_points(q)
     shoulder = np.broadcast_to(np.array([0.0, 0.0, a465.BASE_M]), elbow.shape)
-    return [
+    still = np.zeros_like(elbow)
+    links = (
         (shoulder, elbow, a465.UPPER_ARM_RADIUS_M),
         (elbow, wrist, a465.FOREARM_RADIUS_M),
         (wrist, poses[:, :3], a465.WRIST_RADIUS_M),
-    ]
+    )
+    parts = [_Part("arm", (a + b) / 2, (b - a) / 2, radius, None) for a, b, radius in links]
+    palm, fingers = _hand(poses, gripper_m)
+    parts.append(_Part("palm", palm.center, still, palm.radius, palm))
+    parts += [_Part("fingers", box.center, still, box.radius, box) for box in fingers]
+    if carried is not None:
+        held = box_at(compose(poses, carried.in_hand), carried.middle, carried.size)
+        parts.append(_Part("carried", held.center, still, held.radius, held, -CARRIED_SLACK_M))
+    return parts
 
 
-def _palm(poses: Array) -> Boxes:
-    length, width, height = GRIPPER.palm_m
-    return box_at(poses, (length / 2, 0.0, 0.0), (length, width, height))
+def _hand(poses: Array, gripper_m: Array) -> tuple[Boxes, list[Boxes]]:
+    turn, (length, width, height) = quat_to_matrix(poses[:, 3:]), GRIPPER.palm_m
+    long, thick, tall = GRIPPER.finger_m
+    ahead, left = turn[:, :, 0], turn[:, :, 1]
+    palm = Boxes(poses[:, :3] + ahead * length / 2, turn, np.array([length, width, height]) / 2)
+    between = poses[:, :3] + ahead * (length + long / 2)
+    aside = left * (gripper_m[:, None] + thick) / 2
+    half = np.array([long, thick, tall]) / 2
+    return palm, [Boxes(between + side * aside, turn, half) for side in (1.0, -1.0)]
 
 
-def _fingers(poses: Array, gripper_m: Array) -> list[Boxes]:
-    length, thick, tall = GRIPPER.finger_m
-    box = box_at(poses, (GRIPPER.palm_m[0] + length / 2, 0.0, 0.0), (length, thick, tall))
-    aside = box.turn[:, :, 1] * (gripper_m[:, None] + thick) / 2
-    return [Boxes(box.center + side * aside, box.turn, box.half) for side in (1.0, -1.0)]
+def _gaps(parts: list[_Part], things: tuple[Standing, ...]) -> Iterator[tuple[str, str, Array]]:
+    far = _bounds(parts, things)
+    for k, part in enumerate(parts):
+        for j, thing in enumerate(things):
+            # The upper arm turns on the base; what lies under the base's rim is out of reach.
+            if not (k == 0 and thing.name in ("base", "floor")):
+                yield part.name, thing.name, _refined(far[k, j] - part.keeps, part, thing.box)
+    for part in parts[3:]:
+        for name, link in (("upper arm", parts[0]), ("forearm", parts[1])):
+            if part.name == "carried" or (part.name == "palm" and name == "upper arm"):
+                yield part.name, name, _self_gap(part, link)
 
 
-def _box_gap(box: Boxes, thing: Boxes) -> Array:
-    apart = box.center - thing.center
-    gap = np.sqrt(np.einsum("ij,ij->i", apart, apart)) - box.radius - thing.radius
-    near = np.flatnonzero(gap < 0.02)
+def _bounds(parts: list[_Part], things: tuple[Standing, ...]) -> Array:
+    """Return lower bounds of the distance of each part to each thing, shape (p, t, m)."""
+    center = np.stack([thing.box.center[0] for thing in things])
+    turn = np.stack([thing.box.turn[0] for thing in things])
+    size = np.stack([thing.box.half for thing in things])[:, None, :]
+    middle = np.stack([part.middle for part in parts])[:, None]
+    half = np.stack([part.half for part in parts])[:, None]
+    radius = np.array([part.radius for part in parts])[:, None, None]
+    outside = np.abs((middle - center[:, None, :]) @ turn) - np.abs(half @ turn) - size
+    outside = np.maximum(outside, 0.0)
+    return np.asarray(np.sqrt(np.einsum("...k,...k->...", outside, outside)) - radius)
+
+
+def _refined(bound: Array, part: _Part, thing: Boxes) -> Array:
+    near = np.flatnonzero(bound < NEAR_M)
     if len(near):
-        gap[near] = boxes_apart(box.at(near), thing.at(near))
-    return np.asarray(gap)
+        bound[near] = part.gap(thing, near)
+    return bound
 
 
-def _link_gap(start: Array, end: Array, radius: float, thing: Boxes) -> Array:
-    middle, half = (start + end) / 2, (end - start) / 2
-    local = np.einsum("...k,...kj->...j", middle - thing.center, thing.turn)
-    reach = np.einsum("...k,...kj->...j", half, thing.turn)
-    # The box around the segment gives a quick bound; only what is near is looked at closely.
-    outside = np.maximum(np.abs(local) - np.abs(reach) - thing.half, 0.0)
-    gap = np.sqrt(np.einsum("ij,ij->i", outside, outside)) - radius
-    near = np.flatnonzero(gap < 0.02)
-    if len(near):
-        gap[near] = segment_apart(start[near], end[near], thing.at(near)) - radius
-    return np.asarray(gap)
+def _self_gap(part: _Part, link: _Part) -> Array:
+    long = np.sqrt(np.einsum("ij,ij->i", link.half, link.half))
+    away = part.middle - link.middle
+    apart = np.sqrt(np.einsum("ij,ij->i", away, away))
+    gap = apart - long - link.radius - part.radius - CLEARANCE_M
+    return _refined(gap, link, part.box) if part.box is not None else gap
 
 
 def carried_body(scene: Scene, name: str, in_hand: Array) -> Carried | None:

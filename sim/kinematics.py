@@ -164,9 +164,11 @@ def _solve_wrist(poses: Array, q1: Array, pitch: Array, out: Array, flipped: Arr
     y = aw * by - ax * bz + ay * bw + az * bx
     z = aw * bz + ax * by - ay * bx + az * bw
     w = aw * bw - ax * bx - ay * by - az * bz
+    bend = np.sqrt(y * y + z * z)
     half_sum, half_gap = np.arctan2(x, w), np.arctan2(z, y)
+    half_gap[bend < SINGULAR_SINE] = 0.0
     out[3], out[5] = _wrapped(half_sum + half_gap), _wrapped(half_sum - half_gap)
-    out[4] = 2.0 * np.arctan2(np.sqrt(y * y + z * z), np.sqrt(x * x + w * w))
+    out[4] = 2.0 * np.arctan2(bend, np.sqrt(x * x + w * w))
     flipped[3], flipped[5] = _half_turned(out[3]), _half_turned(out[5])
     flipped[4] = -out[4]
 

@@ -1,0 +1,147 @@
+"""Which joint branch can hold the exact stretches of a task, or which joint forbids them.
+
+The stretches around grasps and releases must be followed exactly, all on one branch, so they
+choose it; between them the arm may go as it likes.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.model.motion import HandStop, Refusal
+from sim import a465
+from sim.fine_path import FinePath
+from sim.kinematics import BRANCHES, Flags, inverse_all, limit_margin, wrist_of
+
+JUMP_RAD = 0.5
+"""Joints of one branch that differ by more between samples are not one motion."""
+NARROW_RAD = math.radians(3.0)
+"""A branch that comes so close to a limit is taken only if the others are a second slower."""
+SINGULAR_RAD = math.radians(1.0)
+"""Below this angle of joint 5 the wrist is treated as singular at the ends of a path."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Answers:
+    """The joints of a fine path on all branches.
+
+    Parameters
+    ----------
+    q : array, shape (g, 8, 6)
+    margin : array, shape (g, 8)
+        To the nearest limit in rad; minus infinity out of reach.
+    """
+
+    q: Array
+    margin: Array
+
+
+def answers(poses: Array) -> Answers:
+    """Return the joints on all branches for flange poses, shape (g, 7)."""
+    q = np.ascontiguousarray(inverse_all(poses))
+    margin = limit_margin(q)
+    return Answers(q, np.where(np.isnan(margin), -np.inf, margin))
+
+
+def needed(fine: FinePath, start_free: bool) -> Flags:
+    """Return the samples, shape (g,), that must be on the chosen branch."""
+    flags = fine.constrained
+    flags[-1] = True
+    flags[0] = flags[0] or start_free
+    return flags
+
+
+def candidates(found: Answers, flags: Flags, start: Array | None) -> list[int]:
+    """Return the branches that hold all needed samples, the easiest first.
+
+    Ease is the time the joints need between the exact stretches (a wrist that would have to
+    turn the long way round shows here), and a share for samples beyond the limits.
+    """
+    able = [b for b in range(BRANCHES) if _holds(found, flags, b)]
+    wrong = np.mean(found.margin < 0, axis=0)
+    least = np.min(np.where(flags[:, None], found.margin, np.inf), axis=0)
+    held = np.flatnonzero(flags)
+
+    def effort(branch: int) -> float:
+        q = found.q[held, branch]
+        if start is not None:
+            q = np.concatenate([start[None], q])
+        elif abs(q[0, 4]) < SINGULAR_RAD:
+            q = np.concatenate([shared_turn(q[0])[None], q[1:]])
+        travel = np.sum(np.max(np.abs(np.diff(q, axis=0)) / a465.SPEEDS, axis=1))
+        return float(travel + 2.0 * wrong[branch] + (least[branch] < NARROW_RAD))
+
+    return sorted(able, key=effort)
+
+
+def shared_turn(q: Array) -> Array:
+    """Return the same posture of a singular wrist with joints 4 and 6 sharing their turn."""
+    half = math.remainder(q[3] + q[5], 2 * math.pi) / 2
+    return np.array([q[0], q[1], q[2], half, q[4], half])
+
+
+def _holds(found: Answers, flags: Flags, branch: int) -> bool:
+    if np.any(found.margin[flags, branch] < 0):
+        return False
+    both = flags[1:] & flags[:-1]
+    steps = np.abs(np.diff(found.q[:, branch], axis=0)).max(axis=1)
+    return bool(np.all(steps[both] < JUMP_RAD))
+
+
+def forbidden(found: Answers, flags: Flags, fine: FinePath) -> Refusal:
+    """Return why no branch holds all needed samples: the best branch's worst place."""
+    limited = np.where(flags[:, None], found.margin, np.inf)
+    least = limited.min(axis=0)
+    branch = int(np.argmax(least))
+    sample = int(np.argmin(limited[:, branch]))
+    where = place_name(fine, sample)
+    if not np.isfinite(least[branch]):
+        return _out_of_reach(fine, flags, found)
+    if least[branch] >= 0.0:
+        return Refusal("joint_limit", where, "joint 4", 0.0, "deg", "turn")
+    beyond = np.abs(found.q[sample, branch]) - a465.LIMITS
+    joint = int(np.argmax(beyond))
+    by = math.degrees(float(beyond[joint]))
+    return Refusal("joint_limit", where, f"joint {joint + 1}", by, "deg", "turn")
+
+
+def _out_of_reach(fine: FinePath, flags: Flags, found: Answers) -> Refusal:
+    lost = flags & ~np.isfinite(found.margin).any(axis=1)
+    shoulder = np.array([0.0, 0.0, a465.BASE_M])
+    far = np.linalg.norm(wrist_of(fine.poses) - shoulder, axis=1)
+    longest = a465.UPPER_ARM_M + a465.FOREARM_M
+    beyond = np.where(lost, np.abs(far - longest / 2) - longest / 2, -np.inf)
+    sample = int(np.argmax(np.where(lost, np.maximum(far - longest, beyond), -np.inf)))
+    where, gap = place_name(fine, sample), float(far[sample] - longest)
+    if gap > 0:
+        return Refusal("reach", where, "", 1000.0 * gap, "mm", "closer")
+    short = a465.FOREARM_M - a465.UPPER_ARM_M - float(far[sample])
+    return Refusal("reach", where, "", 1000.0 * max(short, 0.0), "mm", "farther")
+
+
+def place_name(fine: FinePath, sample: int) -> str:
+    """Return in the task's words where on its path a sample is."""
+    if not fine.stops:
+        return "start" if sample == 0 else "path"
+    near = min(fine.stops, key=lambda stop: _away(stop, sample))
+    if _away(near, sample) == 0:
+        return stop_name(near)
+    if sample == 0:
+        return "start"
+    after = [stop for stop in fine.stops if stop.at >= sample]
+    return f"way to {after[0].frame}" if after else "end"
+
+
+def _away(stop: HandStop, sample: int) -> int:
+    return max(stop.docking_at - sample, sample - stop.left_at, 0)
+
+
+def stop_name(stop: HandStop) -> str:
+    """Return a grasp or release in the task's words."""
+    if stop.kind == "release":
+        return f"release at {stop.frame}"
+    return f"{stop.kind} of {stop.object}"

@@ -1,0 +1,159 @@
+"""What stands where and what is in the hand while a path is carried out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assistant.geometry import Array, compose, inverse
+from assistant.model.motion import HandStop, Refusal
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.ports import ArmLook
+from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, touches
+from sim.fine_path import FinePath
+from sim.kinematics import Flags
+from sim.shapes import body_box, boxes_apart
+
+OVERLAP_M = 0.002
+"""Told places may overlap by so much: people measure to the millimetre."""
+
+Bodies = Mapping[str, Array]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Phase:
+    """Samples `first` to `last` of a path, between which nothing is grasped or let go."""
+
+    first: int
+    last: int
+    things: tuple[Standing, ...]
+    carried: Carried | None
+    stops: tuple[HandStop, ...]
+    marks: frozenset[str]
+    """Bodies that only mark a place: what is put there may enter them."""
+
+    def touches(self, q: Array, gripper_m: Array, samples: NDArray[np.int64]) -> Touch:
+        """Return how near joints, shape (m, 6), at samples of the path come to anything."""
+        return touches(q, gripper_m, self.things, self.carried, self._allowed(samples))
+
+    def gap(self, gripper_m: float) -> Callable[[Array], Array]:
+        """Return how far joints, shape (m, 6), are from touching anything at all, shape (m,)."""
+
+        def apart(q: Array) -> Array:
+            return touches(q, np.full(len(q), gripper_m), self.things, self.carried).gap
+
+        return apart
+
+    def _allowed(self, samples: NDArray[np.int64]) -> dict[tuple[str, str], Flags]:
+        allowed: dict[tuple[str, str], Flags] = {}
+        for stop in self.stops:
+            near = (samples >= stop.docking_at) & (samples <= stop.left_at)
+            pairs = [("fingers", stop.object), ("carried", stop.frame), ("carried", stop.object)]
+            if stop.frame in self.marks:
+                pairs += [(part, stop.frame) for part in ("palm", "fingers", "arm")]
+            if stop.kind == "touch":
+                pairs += [(part, stop.object) for part in ("palm", "arm")]
+                pairs += [(part, thing.name) for part in ("carried",) for thing in self.things]
+            for pair in pairs:
+                allowed[pair] = allowed.get(pair, np.zeros(len(samples), dtype=bool)) | near
+        return allowed
+
+
+def bodies_at(scene: Scene, setup: Setup, look: ArmLook | None) -> dict[str, Array]:
+    """Return where each known body's base is: as told, or as a sensor tells."""
+    seen = look.bodies if look else {}
+    told = {name: scene.body_pose(name, place) for name, place in setup.places.items()}
+    return {name: pose for name, pose in {**told, **seen}.items() if name in scene.bodies}
+
+
+def overlap(scene: Scene, setup: Setup, stops: tuple[HandStop, ...]) -> Refusal | None:
+    """Return why a setup cannot be: things inside one another, or an object on its target."""
+    bodies = bodies_at(scene, setup, None)
+    solid = {name: body_box(scene.bodies[name], pose) for name, pose in bodies.items()}
+    solid = {name: box for name, box in solid.items() if np.all(box.half > 0)}
+    for thing in fixed_things(scene):
+        for name, box in solid.items():
+            if thing.name != "floor" and (deep := -boxes_apart(box, thing.box)[0]) > OVERLAP_M:
+                return _overlapping(name, thing.name, float(deep))
+    for first, second in combinations(solid, 2):
+        if (deep := -boxes_apart(solid[first], solid[second])[0]) > OVERLAP_M:
+            return _overlapping(first, second, float(deep))
+    return _on_its_target(scene, setup, stops, bodies)
+
+
+def _on_its_target(
+    scene: Scene, setup: Setup, stops: tuple[HandStop, ...], bodies: Bodies
+) -> Refusal | None:
+    grasped = {stop.object for stop in stops if stop.kind == "grasp"}
+    for stop in stops:
+        name, place = stop.object, setup.places.get(stop.frame)
+        if stop.kind != "release" or name not in grasped or name not in bodies or place is None:
+            continue
+        in_hand = inverse(scene.bodies[name].hand_in_body)
+        put = body_box(scene.bodies[name], compose(scene.hand_pose(stop.frame, place), in_hand))
+        now = body_box(scene.bodies[name], bodies[name])
+        if (deep := -boxes_apart(now, put)[0]) > OVERLAP_M:
+            return _overlapping(name, stop.frame, float(deep))
+    return None
+
+
+def _overlapping(first: str, second: str, deep_m: float) -> Refusal:
+    return Refusal("setup", first, second, 1000.0 * deep_m, "mm", "clear")
+
+
+def phases(
+    fine: FinePath, scene: Scene, setup: Setup, look: ArmLook | None = None
+) -> tuple[Phase, ...]:
+    """Return what stands and what is carried, from grasp to release to grasp."""
+    bodies = bodies_at(scene, setup, look)
+    held = look.held if look else ""
+    in_hand = _in_hand(scene, fine, held, bodies, look)
+    marks = frozenset(name for name in bodies if scene.bodies[name].mass_kg == 0)
+    found, first = [], 0
+    fixed = fixed_things(scene)
+    for stop in (*fine.stops, None):
+        last = stop.at if stop else len(fine.u_s) - 1
+        things = fixed + _standing(scene, bodies, held)
+        carried = carried_body(scene, held, in_hand) if held else None
+        found.append(Phase(first, last, things, carried, fine.stops, marks))
+        first = last
+        if stop is not None:
+            held, in_hand, bodies = _after(stop, fine, scene, held, in_hand, bodies)
+    return tuple(found)
+
+
+def _standing(scene: Scene, bodies: Bodies, held: str) -> tuple[Standing, ...]:
+    boxes = {n: body_box(scene.bodies[n], pose) for n, pose in bodies.items() if n != held}
+    return tuple(Standing(name, box) for name, box in boxes.items() if np.all(box.half > 0))
+
+
+def _in_hand(
+    scene: Scene, fine: FinePath, held: str, bodies: Bodies, look: ArmLook | None
+) -> Array:
+    if look is not None and held in look.bodies:
+        return compose(inverse(look.hand), look.bodies[held])
+    return inverse(scene.bodies[held].hand_in_body) if held in scene.bodies else fine.poses[0]
+
+
+def _after(
+    stop: HandStop, fine: FinePath, scene: Scene, held: str, in_hand: Array, bodies: Bodies
+) -> tuple[str, Array, dict[str, Array]]:
+    bodies, hand = dict(bodies), fine.poses[stop.at]
+    if stop.kind == "grasp":
+        if stop.object in bodies:
+            return stop.object, compose(inverse(hand), bodies[stop.object]), bodies
+        return stop.object, in_hand, bodies
+    if stop.kind == "release":
+        if stop.object in scene.bodies:
+            held_so = in_hand if held else inverse(scene.bodies[stop.object].hand_in_body)
+            bodies[stop.object] = compose(hand, held_so)
+        return "", in_hand, bodies
+    if not held and stop.object in bodies:
+        pushed = compose(hand, inverse(fine.poses[stop.docking_at]))
+        bodies[stop.object] = compose(pushed, bodies[stop.object])
+    return held, in_hand, bodies

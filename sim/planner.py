@@ -1,0 +1,187 @@
+"""Turns a path of the hand into a checked motion of the A465, or says why it cannot be.
+
+One joint branch is chosen for the whole task from its exact stretches; free stretches that
+leave the limits, spin the wrist or would touch something are led around; the demonstration's
+own timing is kept and slowed smoothly where a limit binds. Everything is checked before
+anything moves: reach, limits, collisions of arm, hand and carried body, speeds.
+
+Without a look the plan may choose the joints of the robot start among those that hold the
+start's pose (`JointPath.q[0]`); with a look it begins exactly at the measured joints, whatever
+branch they are on, and knows what the hand holds.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.model.motion import HandPath, JointPath, Refusal
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.ports import ArmLook
+from sim import a465
+from sim.branches import (
+    SINGULAR_RAD,
+    Answers,
+    answers,
+    candidates,
+    forbidden,
+    needed,
+    place_name,
+    shared_turn,
+)
+from sim.collision import Touch
+from sim.fine_path import FinePath, joined, moved, refine
+from sim.kinematics import Flags, forward, limit_margin
+from sim.phases import Phase, overlap, phases
+from sim.routes import Stretch, route
+from sim.timing import Timed, timed
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Work:
+    """What is known of a task while it is planned."""
+
+    fine: FinePath
+    found: Answers
+    phases: tuple[Phase, ...]
+    start: Array | None
+
+
+class A465Planner:
+    """The Planner port for the A465."""
+
+    def plan(
+        self, path: HandPath, scene: Scene, setup: Setup, look: ArmLook | None = None
+    ) -> JointPath | Refusal:
+        """Return a motion within reach, limits, speeds and free of collision, or why not.
+
+        Parameters
+        ----------
+        path : HandPath
+            A whole task, or what is left of one.
+        scene, setup
+            What things look like and where they were told to be.
+        look : ArmLook, optional
+            Where the arm is, what it holds and where bodies are seen; without it the motion
+            begins at the setup's robot start with every body where it was told.
+        """
+        if look is None and (refusal := overlap(scene, setup, path.stops)):
+            return refusal
+        fine = joined(refine(path), setup_start(scene, setup) if look is None else look.hand)
+        start = None if look is None else np.array(look.q)
+        work = _Work(fine, answers(fine.poses), phases(fine, scene, setup, look), start)
+        flags = needed(fine, start is None)
+        refusals = []
+        for branch in candidates(work.found, flags, start):
+            done = _on_branch(work, branch, scene.hand_speed_m_s)
+            if isinstance(done, JointPath):
+                return done
+            refusals.append(done)
+        return refusals[0] if refusals else forbidden(work.found, flags, fine)
+
+
+def setup_start(scene: Scene, setup: Setup) -> Array:
+    """Return the flange pose, shape (7,), at a setup's robot start."""
+    return scene.hand_pose("", setup.robot_start)
+
+
+def _on_branch(work: _Work, branch: int, hand_speed_m_s: float) -> JointPath | Refusal:
+    q = np.array(work.found.q[:, branch])
+    q[0] = _start_joints(work, branch)
+    refusal = _touched(work, q, work.fine.constrained)
+    if refusal is not None:
+        return refusal
+    notes: list[str] = []
+    for first, last in work.fine.free_stretches():
+        part = slice(first, last + 1)
+        way = route(_stretch(work, branch, q, first, last), q[part])
+        if way is None:
+            return _blocked(work, q, first, last)
+        q[part], how = way
+        if how:
+            notes.append(f"{how} on the {place_name(work.fine, first + 1)}")
+    refusal = _touched(work, q, np.ones(len(q), dtype=bool))
+    return refusal or _finished(work.fine, q, "; ".join(notes), hand_speed_m_s)
+
+
+def _start_joints(work: _Work, branch: int) -> Array:
+    if work.start is not None:
+        return work.start
+    q = work.found.q[0, branch]
+    # Both signs of the wrist meet in its singularity: the first motion then chooses.
+    return shared_turn(q) if abs(q[4]) < SINGULAR_RAD else q
+
+
+def _stretch(work: _Work, branch: int, q: Array, first: int, last: int) -> Stretch:
+    part = slice(first, last + 1)
+    phase = next(p for p in work.phases if p.first <= first and last <= p.last)
+    gap = phase.gap(float(np.max(work.fine.gripper_m[part])))
+    return Stretch(work.fine.u_s[part], work.fine.poses[part], branch, q[first], q[last], gap)
+
+
+def _touched(work: _Work, q: Array, flags: Flags) -> Refusal | None:
+    """Return what is touched first at the flagged samples, shape (g,)."""
+    for phase in work.phases:
+        chosen = phase.first + np.flatnonzero(flags[phase.first : phase.last + 1])
+        if len(chosen) == 0:
+            continue
+        touch = phase.touches(q[chosen], work.fine.gripper_m[chosen], chosen)
+        if not touch.free:
+            return _collision(work.fine, touch, int(chosen[touch.worst]))
+    return None
+
+
+def _collision(fine: FinePath, touch: Touch, sample: int) -> Refusal:
+    deep = 1000.0 * max(-float(touch.gap[touch.worst]), 0.0)
+    thing = touch.thing if touch.part != "carried" else f"{touch.thing} and what is carried"
+    return Refusal("collision", place_name(fine, sample), thing, deep, "mm", "clear")
+
+
+def _blocked(work: _Work, q: Array, first: int, last: int) -> Refusal:
+    """Return why a free stretch cannot be passed: what it touches, else a joint."""
+    flags = np.zeros(len(q), dtype=bool)
+    flags[first : last + 1] = ~np.isnan(q[first : last + 1]).any(axis=1)
+    touched = _touched(work, q, flags)
+    if touched is not None:
+        return touched
+    beyond = np.abs(q[first : last + 1]) - a465.LIMITS
+    if not flags[first : last + 1].all():
+        return Refusal("reach", place_name(work.fine, first + 1), hint="closer")
+    sample, joint = np.unravel_index(int(np.argmax(beyond)), beyond.shape)
+    by = max(math.degrees(float(beyond[sample, joint])), 0.0)
+    where = place_name(work.fine, first + 1)
+    return Refusal("joint_limit", where, f"joint {int(joint) + 1}", by, "deg", "turn")
+
+
+def _finished(fine: FinePath, q: Array, note: str, hand_speed_m_s: float) -> JointPath | Refusal:
+    result = timed(fine.u_s, q, forward(q)[:, :3], hand_speed_m_s)
+    margin = limit_margin(result.q)
+    if margin.min() < 0.0:
+        return _beyond(fine, result, int(np.argmin(margin)))
+    ticks = np.minimum(np.searchsorted(result.u_s, fine.u_s - 1e-9), len(result.u_s) - 1)
+    owner = np.clip(np.searchsorted(fine.u_s, result.u_s, side="right") - 1, 0, len(q) - 1)
+    speeds = np.abs(np.diff(result.q, axis=0)) * a465.CONTROL_HZ
+    steps = np.linalg.norm(np.diff(forward(result.q)[:, :3], axis=0), axis=1)
+    return JointPath(
+        result.t_s,
+        result.q,
+        np.interp(result.u_s, fine.u_s, fine.gripper_m),
+        fine.primitive_at[owner],
+        tuple(moved(stop, ticks) for stop in fine.stops),
+        math.degrees(float(margin.min())),
+        float(np.max(speeds / a465.SPEEDS, initial=0.0)),
+        float(np.max(steps, initial=0.0) * a465.CONTROL_HZ),
+        note,
+    )
+
+
+def _beyond(fine: FinePath, result: Timed, tick: int) -> Refusal:
+    over = np.abs(result.q[tick]) - a465.LIMITS
+    joint = int(np.argmax(over))
+    where = place_name(fine, int(np.searchsorted(fine.u_s, result.u_s[tick])))
+    by = math.degrees(float(over[joint]))
+    return Refusal("joint_limit", where, f"joint {joint + 1}", by, "deg", "turn")

@@ -1,0 +1,190 @@
+"""Ways around for the free stretches of a path: what leaves the limits or would touch.
+
+A stretch is kept where it can be. Its bad part is replaced by a smooth joint motion between
+samples before and after it; if that does not do, the stretch is lifted; and if that does not
+either, a way is searched among random joint angles (seeded, so that it is always the same).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from sim import a465
+from sim.branches import SINGULAR_RAD, answers
+from sim.kinematics import Flags, limit_margin, wrist_of
+
+FAST = 1.4
+"""A free part that asks for more than this share of a joint's speed is led around: near the
+wrist's singularity joints would spin while the hand hardly moves."""
+LIFTS_M = (0.0, 0.05, 0.10, 0.16, 0.24)
+PADS = (0.12, 0.35, 1.0)
+"""How far a joint motion reaches beyond the bad part, as a share of what is left."""
+MARGIN_RAD = 0.01
+
+Gap = Callable[[Array], Array]
+"""Gives for joints, shape (m, 6), how far they are from touching anything, shape (m,)."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stretch:
+    """A free stretch to be led from fixed joints to fixed joints.
+
+    Parameters
+    ----------
+    u_s : array, shape (m,)
+    poses : array, shape (m, 7)
+    branch : int
+    start, end : array, shape (6,)
+        Joints of the first and last sample, which are kept.
+    gap : callable
+    """
+
+    u_s: Array
+    poses: Array
+    branch: int
+    start: Array
+    end: Array
+    gap: Gap
+
+
+def route(stretch: Stretch, kept: Array) -> tuple[Array, str] | None:
+    """Return joints for a stretch, shape (m, 6), and how it was done; None if nothing helps.
+
+    `kept` are the joints of the path as it is, NaN where there are none.
+    """
+    for how, q in _ways(stretch, kept):
+        if _good(stretch, q):
+            return q, how
+    return None
+
+
+def _good(stretch: Stretch, q: Array) -> bool:
+    if np.any(np.isnan(q)) or limit_margin(q).min() < 0.0:
+        return False
+    return bool(np.all(stretch.gap(q[1:-1]) >= 0.0))
+
+
+def bad_samples(stretch: Stretch, q: Array) -> Flags:
+    """Return where joints, shape (m, 6), leave limits, jump, spin or touch, shape (m,)."""
+    bad = ~(limit_margin(q) >= 0.0)
+    steps = np.abs(np.diff(q, axis=0)) / np.diff(stretch.u_s)[:, None] / a465.SPEEDS
+    fast = ~(steps.max(axis=1) <= FAST)
+    bad[1:] |= fast
+    bad[:-1] |= fast
+    known = np.logical_not(np.isnan(q).any(axis=1))
+    # The ends are given: what they may touch is known to who gave them.
+    known[[0, -1]] = False
+    bad[known] |= stretch.gap(q[known]) < 0.0
+    return _with_singular(bad, np.abs(q[:, 4]) < SINGULAR_RAD)
+
+
+def _with_singular(bad: Flags, singular: Flags) -> Flags:
+    # A rest in the singularity is as good as the motion out of it: both are led anew.
+    edges = np.diff(np.concatenate([[0], singular.astype(int), [0]]))
+    bad = np.array(bad)
+    for first, end in zip(np.flatnonzero(edges > 0), np.flatnonzero(edges < 0), strict=True):
+        if bad[max(first - 1, 0) : end + 1].any():
+            bad[first:end] = True
+    return bad
+
+
+def _ways(stretch: Stretch, kept: Array) -> Iterator[tuple[str, Array]]:
+    for lift in LIFTS_M:
+        how = "" if lift == 0.0 else "lifted"
+        base = kept if lift == 0.0 else _lifted(stretch, lift)
+        base = _with_ends(stretch, base)
+        bad = bad_samples(stretch, base)
+        if not bad.any():
+            yield how, base
+            continue
+        for pad in PADS:
+            yield how or "led around", _bridged(stretch, base, bad, pad)
+    from sim.search import searched
+
+    found = searched(stretch.start, stretch.end, stretch.gap, len(stretch.u_s))
+    if found is not None:
+        yield "searched", found
+
+
+def _with_ends(stretch: Stretch, q: Array) -> Array:
+    q = np.array(q)
+    q[0], q[-1] = stretch.start, stretch.end
+    return q
+
+
+def _lifted(stretch: Stretch, lift: float) -> Array:
+    s = (stretch.u_s - stretch.u_s[0]) / (stretch.u_s[-1] - stretch.u_s[0])
+    up, down = _smoothstep(s / 0.35), _smoothstep((1.0 - s) / 0.35)
+    poses = np.array(stretch.poses)
+    poses[:, 2] += lift * up * down
+    return answers(_within_reach(poses)).q[:, stretch.branch]
+
+
+def _within_reach(poses: Array) -> Array:
+    shoulder = np.array([0.0, 0.0, a465.BASE_M])
+    arm = wrist_of(poses) - shoulder
+    far = np.linalg.norm(arm, axis=1)
+    pull = np.maximum(far - a465.REACH_M, 0.0) / far
+    inside = np.array(poses)
+    inside[:, :3] -= pull[:, None] * arm
+    return inside
+
+
+def _smoothstep(s: Array) -> Array:
+    s = np.clip(s, 0.0, 1.0)
+    return np.asarray(s**3 * (10.0 - 15.0 * s + 6.0 * s * s))
+
+
+def _bridged(stretch: Stretch, q: Array, bad: Flags, pad: float) -> Array:
+    out = np.array(q)
+    for first, end in _bridges(bad, pad):
+        span = stretch.u_s[first : end + 1]
+        out[first : end + 1] = _hermite(span, q, (first, end), _velocity(stretch, q, bad))
+    return out
+
+
+def _bridges(bad: Flags, pad: float) -> list[tuple[int, int]]:
+    """Return good samples between which each bad run is bridged, `pad` of the room around."""
+    last = len(bad) - 1
+    edges = np.diff(np.concatenate([[0], bad.astype(int), [0]]))
+    begins, ends = np.flatnonzero(edges > 0).tolist(), (np.flatnonzero(edges < 0) - 1).tolist()
+    found: list[tuple[int, int]] = []
+    for k, (begin, end) in enumerate(zip(begins, ends, strict=True)):
+        before = ends[k - 1] if k else 0
+        after = begins[k + 1] if k + 1 < len(begins) else last
+        first = max(begin - 1, 0) - int(pad * max(begin - 1 - before, 0))
+        final = min(end + 1, last) + int(pad * max(after - end - 1, 0))
+        if found and first <= found[-1][1]:
+            first = found.pop()[0]
+        found.append((first, final))
+    return found
+
+
+def _velocity(stretch: Stretch, q: Array, bad: Flags) -> Callable[[int], Array]:
+    def at(sample: int) -> Array:
+        # A motion in course goes on; where the path is bad or at its end it stands still.
+        near = slice(max(sample - 1, 0), sample + 2)
+        if sample in (0, len(q) - 1) or bad[near].any():
+            return np.zeros(q.shape[1])
+        span = stretch.u_s[sample + 1] - stretch.u_s[sample - 1]
+        return np.asarray((q[sample + 1] - q[sample - 1]) / span)
+
+    return at
+
+
+def _hermite(
+    u_s: Array, q: Array, ends: tuple[int, int], velocity: Callable[[int], Array]
+) -> Array:
+    span = u_s[-1] - u_s[0]
+    s = ((u_s - u_s[0]) / span)[:, None]
+    start, end = q[ends[0]], q[ends[1]]
+    leave, arrive = velocity(ends[0]) * span, velocity(ends[1]) * span
+    # The quintic with given ends and speeds, and no acceleration at its ends.
+    rise = s**3 * (10.0 - 15.0 * s + 6.0 * s**2)
+    begin = s - s**3 * (6.0 - 8.0 * s + 3.0 * s**2)
+    finish = s**3 * (-4.0 + 7.0 * s - 3.0 * s**2)
+    return np.asarray(start + (end - start) * rise + leave * begin + arrive * finish)
