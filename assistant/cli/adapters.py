@@ -1,0 +1,58 @@
+"""Picks arm, planner and hands for the verbs that move or teach."""
+
+from __future__ import annotations
+
+import argparse
+import threading
+from typing import TYPE_CHECKING
+
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+from assistant.model.transcript import Demonstrate
+
+if TYPE_CHECKING:
+    from assistant.ports import Arm, Hand
+    from assistant.session.equipment import Equipment
+
+ARMS = ("pybullet", "kinematic")
+LANGUAGES = {"en": "english", "de": "german", "english": "english", "german": "german"}
+
+
+def arm_argument(parser: argparse.ArgumentParser, default: str | None = "pybullet") -> None:
+    """Add the choice of the arm."""
+    parser.add_argument(
+        "--arm", choices=ARMS, default=default, help="with contact physics, or without (fast)"
+    )
+
+
+def make_arm(name: str, stop_flag: threading.Event | None = None) -> Arm:
+    """Return the simulated arm of that name."""
+    from sim.sensor import InHandSensor
+
+    if name == "kinematic":
+        from sim.kinematic_arm import KinematicArm
+
+        return KinematicArm(stop_flag, sensor=InHandSensor())
+    from sim.bullet_arm import BulletArm
+
+    return BulletArm(stop_flag, sensor=InHandSensor())
+
+
+def make_equipment(arm: str) -> Equipment:
+    """Return arm, planner and hands of a session."""
+    from assistant.session.equipment import Equipment
+    from sim.planner import A465Planner
+
+    stop_flag = threading.Event()
+    return Equipment(make_arm(arm, stop_flag), A465Planner(), make_hand, make_new_setup, stop_flag)
+
+
+def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand:
+    """Return the hand a ``demonstrate`` step asks for."""
+    raise NotImplementedError
+
+
+def make_new_setup(task: Task, scene: Scene, setup: Setup, seed: int) -> Setup | None:
+    """Return a reachable setup drawn with a seed."""
+    raise NotImplementedError

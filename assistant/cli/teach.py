@@ -1,0 +1,128 @@
+"""Teach the robot a task by talking: it asks, watches one demonstration, practices and learns.
+
+Everything said and shown is journaled at once; a session that ended in any way goes on with
+--resume. Ctrl-C stops the arm.
+
+example:
+  assistant teach --setup tasks/setups/demonstration.yaml
+  assistant teach --resume
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from assistant.cli import DONE, FAILED
+from assistant.cli.adapters import LANGUAGES, arm_argument
+from assistant.errors import AssistantError, BadInput
+
+if TYPE_CHECKING:
+    from assistant.model.transcript import Transcript
+    from assistant.session.loop import Out, Session
+
+NEWEST = "newest"
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the verb takes."""
+    arm_argument(parser)
+    parser.add_argument("--task", type=Path, metavar="FILE", help="go on teaching this task")
+    parser.add_argument("--setup", metavar="FILE", help="where things are (a file or a name)")
+    parser.add_argument("--language", choices=("en", "de"), default="en")
+    parser.add_argument(
+        "--resume", nargs="?", const=NEWEST, metavar="ID", help="go on with an earlier session"
+    )
+    parser.add_argument("--json", action="store_true", help="talk in JSON lines, for programs")
+    parser.add_argument("--voice", action="store_true", help="talk by voice")
+    parser.add_argument("--browser", action="store_true", help="talk in a browser")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Hold one session."""
+    for shell in ("voice", "browser"):
+        if getattr(args, shell):
+            raise BadInput.one(f"--{shell}", "is not built yet", "leave it out and type")
+    if args.json:
+        return _with_json(args)
+    live = sys.stdin.isatty() and sys.stdout.isatty()
+    if live and os.environ.get("TERM", "dumb") != "dumb":
+        return _with_text(args)
+    return _with_plain(args, live=live)
+
+
+def _with_json(args: argparse.Namespace) -> int:
+    from assistant.shells.json_lines import JsonShell
+
+    shell = JsonShell(lambda line: print(line, flush=True))
+    session = _opened(args, shell.out)
+    return _guarded(session, lambda: shell.run(session, sys.stdin))
+
+
+def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
+    from assistant.shells.plain import PlainShell
+
+    shell = PlainShell(lambda line: print(line, flush=True))
+    session = _opened(args, shell.out)
+    return _guarded(session, lambda: shell.run(session, sys.stdin, live=live))
+
+
+def _with_text(args: argparse.Namespace) -> int:
+    from assistant.files.home import home
+    from assistant.shells.text import TextShell
+
+    shell = TextShell(home() / "history")
+    session = _opened(args, shell.out)
+    return _guarded(session, lambda: shell.run(session))
+
+
+def _opened(args: argparse.Namespace, out: Out) -> Session:
+    from assistant.cli.adapters import make_equipment
+    from assistant.files.home import home
+    from assistant.session.opening import Opening, open_session, resume_session
+    from assistant.session.past import newest_session
+
+    opening = Opening(make_equipment, home(), out)
+    if args.resume is None:
+        return open_session(opening, _header(args))
+    name = newest_session(opening.sessions) if args.resume == NEWEST else args.resume
+    return resume_session(opening, name)
+
+
+def _header(args: argparse.Namespace) -> Transcript:
+    from assistant.model.transcript import SetupChoice, Transcript
+
+    choice = None if args.setup is None else SetupChoice(file=args.setup)
+    task = None if args.task is None else str(args.task.resolve())
+    language = LANGUAGES[args.language]
+    return Transcript("a lesson", setup=choice, arm=args.arm, task=task, language=language)
+
+
+def _guarded(session: Session, hold: Callable[[], None]) -> int:
+    """Hold the conversation; whatever goes wrong is one line, and nothing is lost."""
+    status = DONE
+    try:
+        hold()
+    except AssistantError:
+        raise
+    except Exception as error:
+        what = f"{type(error).__name__}: {error}".splitlines()[0]
+        print(f"something unexpected went wrong ({what})", file=sys.stderr)
+        status = FAILED
+    finally:
+        session.close()
+    _tell_where(session)
+    return status
+
+
+def _tell_where(session: Session) -> None:
+    if session.journal.trouble:
+        print(f"this session could not be kept: {session.journal.trouble}", file=sys.stderr)
+        return
+    name = session.journal.name
+    told = f"kept in {session.journal.path}; go on with: assistant teach --resume {name}"
+    print(told, file=sys.stderr)

@@ -1,0 +1,82 @@
+"""Steps a program or a transcript takes as the teacher: showing the task, letting time pass."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from assistant.errors import WorkFailed
+from assistant.files.transcripts import transcript_of
+from assistant.model.transcript import Demonstrate, Step, Wait
+from assistant.plain_yaml import read_text
+from assistant.session.loop import Session
+
+BEGIN = "go"
+"""Said for the teacher who shows the task while the robot still asks whether to begin."""
+QUIT = "quit"
+
+
+def one_step(told: Mapping[str, Any]) -> Step:
+    """Return the transcript step a mapping stands for.
+
+    Raises
+    ------
+    BadInput
+        If it stands for none.
+    """
+    # A transcript of one step is checked like any other, with the same messages.
+    play = {"format": "transcript/1", "title": "one step", "steps": [told]}
+    return transcript_of(read_text(json.dumps(play), "input")[0]).steps[0]
+
+
+def wait(session: Session, step: Wait) -> None:
+    """Let simulated time pass: seconds, or until the arm rests."""
+    if step.seconds is None:
+        session.rest()
+    else:
+        session.pass_s(step.seconds)
+
+
+def demonstrate(session: Session, step: Demonstrate, base: Path) -> None:
+    """Show the task.
+
+    Parameters
+    ----------
+    session : Session
+    step : Demonstrate
+    base : Path
+        The folder a recording's path is relative to.
+
+    Raises
+    ------
+    WorkFailed
+        If the robot is not at the point of watching.
+    """
+    if session.watching is None and session.listening.stage == "demonstration":
+        session.hear(BEGIN)
+    if session.watching is None:
+        raise WorkFailed(
+            f"the robot is not watching (stage {session.listening.stage}, "
+            f"asked {session.listening.asked}); introduce the task first"
+        )
+    if step.recording is not None:
+        step = replace(step, recording=str((base / step.recording).resolve()))
+    mover = session.mover
+    session.watch(
+        session.equipment.hand(step, session.dialogue.known.task, mover.scene, mover.setup)
+    )
+
+
+def leave(session: Session, why: str) -> None:
+    """End the conversation because nobody is there any more: stop, then quit.
+
+    What was not saved stays in the journal and can be resumed.
+    """
+    if session.moving:
+        session.halt(why)
+        session.rest()
+    if not session.left:
+        session.hear(QUIT)

@@ -1,0 +1,113 @@
+"""What the dialogue wants done, done: what it results in comes back as an event."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from assistant.dialogue import effects as wanted
+from assistant.dialogue import events
+from assistant.errors import BadInput, NothingLearned
+from assistant.learning.lesson import learn
+from assistant.model.motion import Refusal
+from assistant.session import keeping
+
+if TYPE_CHECKING:
+    from assistant.session.loop import Session
+
+NO_SETUP = "no_setup"
+
+
+def do(session: Session, effect: wanted.Effect) -> None:
+    """Carry out one effect; where results are fed back, only what is said."""
+    if session.fed and not isinstance(effect, wanted.Say | wanted.Leave):
+        return
+    match effect:
+        case wanted.Say():
+            session.say(effect.line)
+        case wanted.Record():
+            session.record()
+        case wanted.EndRecording():
+            session.end_recording(keep=effect.keep)
+        case wanted.Learn():
+            session.happen(learned(session, effect))
+        case wanted.Keep():
+            kept = keeping.keep(
+                session.library, effect.task, effect.name, overwrite=effect.overwrite
+            )
+            session.happen(kept)
+        case wanted.Load():
+            session.happen(keeping.load(session.library, effect.name))
+        case wanted.Arrange():
+            _arrange(session, effect)
+        case wanted.Leave():
+            session.left = True
+        case _:
+            _move(session, effect)
+
+
+def _move(
+    session: Session,
+    effect: wanted.Check
+    | wanted.Move
+    | wanted.Replay
+    | wanted.GoOn
+    | wanted.SetHand
+    | wanted.Jog
+    | wanted.Halt,
+) -> None:
+    mover = session.mover
+    refusal: Refusal | None = None
+    match effect:
+        case wanted.Check():
+            session.happen(mover.check(effect))
+        case wanted.Move():
+            mover.move(effect)
+        case wanted.Replay():
+            refusal = mover.replay(effect)
+        case wanted.GoOn():
+            refusal = mover.go_on(anew=effect.anew)
+        case wanted.SetHand():
+            refusal = mover.set_hand(effect.command)
+        case wanted.Jog():
+            refusal = mover.jog(effect.offset_m, effect.turn_rad)
+        case wanted.Halt():
+            mover.halt(effect.why)
+    if refusal is not None:
+        session.happen(events.Checked(mover.setup, refusal))
+
+
+def learned(session: Session, effect: wanted.Learn) -> events.Learned:
+    """Learn, and tell why nothing was learned if so."""
+    session.store.taught = effect.task
+    try:
+        lesson = learn(
+            effect.demonstrations,
+            effect.task,
+            cuts_s=effect.cuts_s,
+            assigned=effect.assigned,
+            scene=session.mover.scene,
+        )
+    except NothingLearned as error:
+        return events.Learned(None, error.why or str(error), error.facts)
+    except BadInput as error:
+        return events.Learned(None, str(error.problems[0]))
+    return events.Learned(lesson)
+
+
+def _arrange(session: Session, effect: wanted.Arrange) -> None:
+    mover = session.mover
+    scene = effect.scene or mover.scene
+    setup = effect.setup or mover.setup
+    if not effect.random:
+        mover.arrange(scene, setup)
+        return
+    session.drawn += 1
+    drawn = session.equipment.new_setup(session.dialogue.known.task, scene, setup, session.drawn)
+    if drawn is None:
+        refusal = Refusal("setup", NO_SETUP)
+        session.happen(events.Checked(setup, refusal))
+        return
+    drawn = replace(drawn, name=f"new {session.drawn}")
+    mover.arrange(scene, drawn)
+    session.happen(events.Arranged(drawn, scene))

@@ -1,0 +1,49 @@
+"""What a session is given by whoever starts it: arm, planner, hands, where new setups come from.
+
+The session knows these as ports only; the command line picks the adapters.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+from assistant.model.transcript import Demonstrate
+from assistant.ports import Arm, Hand, Planner
+
+HandMaker = Callable[[Demonstrate, Task, Scene, Setup], Hand]
+"""Makes the hand a ``demonstrate`` step asks for; a recording's path is absolute by then."""
+
+SetupMaker = Callable[[Task, Scene, Setup, int], Setup | None]
+"""Returns a reachable setup drawn with a seed, or None where none was found."""
+
+
+@dataclass(frozen=True, slots=True)
+class Equipment:
+    """The outside of one session.
+
+    Parameters
+    ----------
+    arm : Arm
+    planner : Planner
+    hand : callable
+        See `HandMaker`.
+    new_setup : callable
+        See `SetupMaker`.
+    stop_flag : threading.Event
+        Read by every tick of the arm; set by raw input, before and beside everything else.
+    """
+
+    arm: Arm
+    planner: Planner
+    hand: HandMaker
+    new_setup: SetupMaker
+    stop_flag: threading.Event = field(default_factory=threading.Event)
+
+
+EquipmentMaker = Callable[[str], Equipment]
+"""Returns the equipment around the arm of that name, ``kinematic`` or ``pybullet``."""

@@ -1,0 +1,259 @@
+"""The session: words and samples become events, the dialogue steps, its effects are done.
+
+Every event and every robot line is in the journal before anything is done about it. Stopping
+goes beside all of this: raw input that holds a stop word while the arm moves sets the flag
+that the arm's tick reads, whatever the loop is busy with.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from assistant.dialogue import events
+from assistant.dialogue.machine import begin, listening, public_view, step
+from assistant.errors import BadInput
+from assistant.files.library import Library
+from assistant.language.speech import phrase
+from assistant.language.stopping import has_stop_word
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening, Understanding
+from assistant.model.robot_acts import RobotAct
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+from assistant.model.transcript import Note
+from assistant.ports import Hand, HandSample
+from assistant.session.doing import do
+from assistant.session.equipment import Equipment
+from assistant.session.happenings import Store, to_step
+from assistant.session.journal import Journal
+from assistant.session.motion import Mover
+from assistant.session.saying import as_step
+from assistant.session.watching import Watching
+
+Out = Callable[[RobotAct, str], None]
+"""Takes a robot line and the sentence made from it."""
+
+FEWEST_SAMPLES = 3
+"""Less is no demonstration; a recording file holds at least so many."""
+
+
+class Session:
+    """One conversation with one arm.
+
+    Parameters
+    ----------
+    equipment : Equipment
+    journal : Journal
+        Already created or resumed.
+    out : callable
+        See `Out`.
+    library : Library
+        Kept tasks.
+    language : str
+        Which phrasebook.
+    fed : bool
+        Results come from a journal: nothing is computed or moved.
+    """
+
+    def __init__(
+        self,
+        equipment: Equipment,
+        journal: Journal,
+        out: Out,
+        library: Library,
+        language: str = "english",
+        *,
+        fed: bool = False,
+    ) -> None:
+        self.equipment = equipment
+        self.journal = journal
+        self.out = out
+        self.library = library
+        self.language = language
+        self.fed = fed
+        self.store = Store(journal.folder)
+        self.dialogue = begin()
+        self.mover = Mover(equipment)
+        self.watching: Watching | None = None
+        self.recordings = 0
+        self.drawn = 0
+        self.left = False
+        self._events: deque[events.Event] = deque()
+        self._busy = False
+
+    @property
+    def moving(self) -> bool:
+        """Whether the arm moves."""
+        return self.mover.moving
+
+    @property
+    def listening(self) -> Listening:
+        """What the understanding of the next words depends on."""
+        return listening(self.dialogue)
+
+    @property
+    def view(self) -> Mapping[str, Any]:
+        """Plain values of the dialogue and the arm, for transcripts and status lines."""
+        return {**self.dialogue_view, "arm": self.mover.view()}
+
+    @property
+    def dialogue_view(self) -> Mapping[str, Any]:
+        """Plain values of the dialogue alone; safe to read while the arm ticks."""
+        return public_view(self.dialogue)
+
+    def begin(self, scene: Scene, setup: Setup, task: Task | None, saved: tuple[str, ...]) -> None:
+        """Open the conversation."""
+        self.mover.arrange(scene, setup)
+        self.happen(events.Begun(scene, setup, task, saved))
+
+    def close(self) -> None:
+        """Give the journal free."""
+        self.journal.close()
+
+    # What the teacher does.
+
+    def raw(self, text: str) -> None:
+        """Look at input before anything else does; safe to call from another thread."""
+        if (self.moving or self._busy) and has_stop_word(text, self.language):
+            self.equipment.stop_flag.set()
+
+    def understood(self, text: str) -> Understanding:
+        """Return what words mean here and now."""
+        return understand(text, self.listening, self.language)
+
+    def hear(self, text: str, *, by_voice: bool = False) -> None:
+        """Take an utterance."""
+        self.raw(text)
+        if not self.moving:
+            self.equipment.stop_flag.clear()
+        self.happen(events.Heard(text, self.understood(text), by_voice))
+
+    def halt(self, why: str) -> None:
+        """Stop the arm for a reason outside the conversation: a key, a closed window."""
+        self.equipment.stop_flag.set()
+        if self.moving:
+            self.mover.halt(why)
+            self.happen(events.Halted(why))
+
+    def arrange(self, scene: Scene, setup: Setup) -> None:
+        """Put things where the teacher says."""
+        self.halt("arranged")
+        self.mover.arrange(scene, setup)
+        self.happen(events.Arranged(setup, scene))
+
+    def watch(self, hand: Hand) -> None:
+        """Watch a hand until its demonstration is over, or the teacher ends it."""
+        for sample in hand.samples():
+            if self.watching is None:
+                return
+            self.see(sample)
+        self.end_recording(keep=True)
+
+    def see(self, sample: HandSample) -> None:
+        """Take one sample of the teacher's hand, and what is said with it."""
+        if self.watching is not None:
+            self.watching.see(sample)
+        if sample.said:
+            self.hear(sample.said)
+
+    # What the dialogue wants of the demonstration.
+
+    def record(self) -> None:
+        """Begin to watch, from the start."""
+        self.recordings += 1
+        path = self.journal.folder / f"recording_{self.recordings}.csv"
+        self.watching = Watching(None if self.journal.trouble else path)
+
+    def end_recording(self, *, keep: bool) -> None:
+        """Take the demonstration as it is, or drop it."""
+        watched, self.watching = self.watching, None
+        if watched is None or not keep:
+            return
+        if len(watched.samples) < FEWEST_SAMPLES:
+            self.happen(events.Shown(None, "too_short"))
+            return
+        source = watched.path.name if watched.path else "live"
+        self.happen(events.Shown(watched.demonstration(self.mover.setup, source)))
+
+    # Time.
+
+    def tick(self) -> None:
+        """Let one control period pass."""
+        for report in self.mover.tick():
+            self.happen(events.ArmReported(report))
+
+    def pass_s(self, seconds: float) -> None:
+        """Let simulated time pass."""
+        passed_s = 0.0
+        while self.moving and passed_s < seconds:
+            before_s = self.mover.now_s
+            self.tick()
+            # Arranging a setup sets the arm's time back.
+            passed_s += max(self.mover.now_s - before_s, 0.0)
+
+    def run_until(self, at_s: float) -> None:
+        """Let time pass until so long after the motion began."""
+        while self.moving and self.mover.run_s < at_s:
+            self.tick()
+
+    def rest(self) -> None:
+        """Let simulated time pass until the arm rests."""
+        while self.moving:
+            self.tick()
+
+    # The loop itself.
+
+    def happen(self, event: events.Event) -> None:
+        """Journal an event, let the dialogue answer it, and do what it wants done."""
+        self._events.append(event)
+        if self._busy:
+            return
+        self._busy = True
+        try:
+            while self._events:
+                self._step(self._events.popleft())
+        finally:
+            self._busy = False
+
+    def _step(self, event: events.Event) -> None:
+        self._write(event)
+        self.note(event)
+        self.dialogue, effects = step(self.dialogue, event)
+        for effect in effects:
+            do(self, effect)
+
+    def note(self, event: events.Event) -> None:
+        """Keep the cues and key states said while a demonstration is watched."""
+        if self.watching is not None and isinstance(event, events.Heard):
+            self.watching.hear(event.text, event.understanding)
+
+    def say(self, line: RobotAct) -> None:
+        """Journal a robot line, then say it."""
+        text = self.phrased(line)
+        self.journal.write(as_step(line, text))
+        self.out(line, text)
+
+    def tell(self, line: RobotAct) -> None:
+        """Say what belongs to the session and not to the conversation: journaled as a remark."""
+        text = self.phrased(line)
+        self.journal.write(Note(text))
+        self.out(line, text)
+
+    def phrased(self, line: RobotAct) -> str:
+        """Return the sentence for a line."""
+        return phrase(line, self.language, brief=self.dialogue.brief)
+
+    def _write(self, event: events.Event) -> None:
+        if self.journal.trouble:
+            return
+        try:
+            at_s = self.watching.now_s if self.watching is not None else None
+            made = to_step(event, self.store, at_s)
+        except (OSError, BadInput) as error:
+            self.journal.fail(error)
+            return
+        if made is not None:
+            self.journal.write(made)

@@ -1,0 +1,203 @@
+"""The arm's side of a session: checking a setup, starting a run, ticking, halting.
+
+Motion is adapted (paper III-D a), planned and checked before anything moves; a stop that
+arrives meanwhile wins. After a halt a run goes on from the measured pose, checked anew.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from assistant.dialogue import effects as wanted
+from assistant.dialogue.events import Checked
+from assistant.geometry import pose_to_mm_deg
+from assistant.model.motion import ArmReport, HandPath, JointPath, Refusal
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.ports import ArmLook
+from assistant.session import paths
+from assistant.session.equipment import Equipment
+
+ENDS = ("finished", "halted", "unmet")
+"""Reports after which the arm rests."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Run:
+    """A run that was checked: what the hand is to follow, and the joints for it."""
+
+    scene: Scene
+    setup: Setup
+    path: HandPath
+    motion: JointPath
+
+
+class Mover:
+    """Moves the arm for a session.
+
+    Parameters
+    ----------
+    equipment : Equipment
+    """
+
+    def __init__(self, equipment: Equipment) -> None:
+        self._equipment = equipment
+        self._checked: Run | None = None
+        self._run: Run | None = None
+        self._waiting = False
+        self._pauses = False
+        self._is_aside = False
+        self._started_s = 0.0
+        self._primitive_at = -1
+        self._open_m = 0.0
+        self.scene = Scene()
+        self.setup = Setup()
+        self.moving = False
+
+    @property
+    def look(self) -> ArmLook:
+        """What is measured now."""
+        return self._equipment.arm.look()
+
+    @property
+    def now_s(self) -> float:
+        """Simulated time."""
+        return self.look.now_s
+
+    @property
+    def run_s(self) -> float:
+        """Simulated time since the motion began."""
+        return self.now_s - self._started_s
+
+    def view(self) -> dict[str, Any]:
+        """Return plain values of the arm for transcripts."""
+        look = self.look
+        xyz_mm, rpy_deg = pose_to_mm_deg(look.hand)
+        bodies = {name: pose_to_mm_deg(pose) for name, pose in look.bodies.items()}
+        return {
+            "moving": self.moving,
+            "held": look.held,
+            "gripper_mm": look.gripper_m * 1000.0,
+            "hand_xyz_mm": xyz_mm.tolist(),
+            "hand_rpy_deg": rpy_deg.tolist(),
+            "bodies": {
+                name: {"xyz_mm": xyz.tolist(), "rpy_deg": rpy.tolist()}
+                for name, (xyz, rpy) in bodies.items()
+            },
+        }
+
+    def arrange(self, scene: Scene, setup: Setup) -> None:
+        """Put everything where the setup says; the arm goes to its start."""
+        self._equipment.arm.arrange(scene, setup)
+        self.scene, self.setup = scene, setup
+        self._checked = self._run = None
+        self.moving = self._waiting = False
+        self._open_m = self.look.gripper_m
+
+    def check(self, effect: wanted.Check) -> Checked:
+        """Adapt the task to a setup and check the motion, moving nothing.
+
+        Of a halted run (`anew`) only the rest, from the measured pose.
+        """
+        whole = paths.adapted(effect.task, effect.scene, effect.setup, effect.speed)
+        look = self.look if effect.anew else None
+        path = whole if look is None else paths.rest_of(whole, look, self._primitive_at)
+        found = self._equipment.planner.plan(path, effect.scene, effect.setup, look)
+        if isinstance(found, Refusal):
+            return Checked(effect.setup, found)
+        self._checked = Run(effect.scene, effect.setup, whole, found)
+        return Checked(effect.setup, None, float(found.t_s[-1]), found.note)
+
+    def move(self, effect: wanted.Move) -> None:
+        """Begin what was checked last; unless it is the rest of a run, all is put in place."""
+        run, self._checked = self._checked, None
+        if run is None:
+            return
+        primitive_at = self._primitive_at if effect.anew else -1
+        if not effect.anew:
+            self.arrange(run.scene, run.setup)
+        self._pauses = effect.pause_before_primitives
+        self._begin(run, primitive_at)
+
+    def replay(self, effect: wanted.Replay) -> Refusal | None:
+        """Carry out a demonstration as it was shown, checked like any motion."""
+        path = paths.as_shown(effect.task, effect.demonstration, effect.speed)
+        self.arrange(self.scene, effect.setup)
+        self._pauses = False
+        found = self._equipment.planner.plan(path, self.scene, self.setup)
+        return self._begin_if_planned(path, found)
+
+    def go_on(self, *, anew: bool) -> Refusal | None:
+        """Continue after an announcement, or after a halt from where the arm is."""
+        if self._waiting and not anew:
+            self._waiting = False
+            return None
+        if self._run is None:
+            return None
+        whole, look, primitive_at = self._run.path, self.look, self._primitive_at
+        rest = paths.rest_of(whole, look, primitive_at)
+        found = self._equipment.planner.plan(rest, self.scene, self.setup, look)
+        return self._begin_if_planned(whole, found, primitive_at)
+
+    def halt(self, why: str) -> None:
+        """Brake now; what was started is discarded."""
+        self._waiting = False
+        self._equipment.arm.stop(why)
+
+    def set_hand(self, command: str) -> Refusal | None:
+        """Open or close the hand where it is."""
+        return self._aside(paths.hand_only(self.look, self.scene, command, self._open_m))
+
+    def jog(self, offset_m: tuple[float, ...], turn_rad: tuple[float, ...]) -> Refusal | None:
+        """Move the hand by a small step."""
+        return self._aside(paths.step_by(self.look, offset_m, turn_rad))
+
+    def tick(self) -> tuple[ArmReport, ...]:
+        """Advance by one control period; nothing passes while an announcement is made."""
+        if not self.moving or self._waiting:
+            return ()
+        reports = self._equipment.arm.tick()
+        for report in reports:
+            self._take(report)
+        return reports
+
+    def _take(self, report: ArmReport) -> None:
+        if report.kind in ENDS:
+            self.moving = self._waiting = False
+        if self._is_aside:
+            return
+        if report.kind == "primitive":
+            self._primitive_at = report.primitive_at
+            self._waiting = self._pauses
+        if report.kind == "finished":
+            self._run = None
+
+    def _aside(self, path: HandPath) -> Refusal | None:
+        """Make a small motion at rest; a halted run is kept, to be gone on with."""
+        look = self.look
+        found = self._equipment.planner.plan(path, self.scene, self.setup, look)
+        if isinstance(found, Refusal):
+            return found
+        self._start(found)
+        self._is_aside = True
+        return None
+
+    def _begin_if_planned(
+        self, path: HandPath, found: JointPath | Refusal, primitive_at: int = -1
+    ) -> Refusal | None:
+        if isinstance(found, Refusal):
+            return found
+        self._begin(Run(self.scene, self.setup, path, found), primitive_at)
+        return None
+
+    def _begin(self, run: Run, primitive_at: int) -> None:
+        self._run = run
+        self._primitive_at = primitive_at
+        self._start(run.motion)
+
+    def _start(self, motion: JointPath) -> None:
+        self._is_aside = self._waiting = False
+        self._started_s = self.now_s
+        self._equipment.arm.start(motion)
+        self.moving = True

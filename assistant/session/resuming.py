@@ -1,0 +1,125 @@
+"""Going on with a journal: what was told, shown and found out is fed back; nothing moves.
+
+Events are fed to the dialogue again and their effects are not carried out. What the last
+events still owed (a learning that was under way, lines not said yet) is then done; motion
+is never taken up again, only told of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from assistant.dialogue import effects as wanted
+from assistant.dialogue import events
+from assistant.dialogue.machine import step
+from assistant.model.transcript import Happened, RobotLine, Step, TeacherLine
+from assistant.session.happenings import from_happened
+from assistant.session.loop import Session
+from assistant.session.watching import Watching, read_back
+
+MOTION = wanted.Move | wanted.Replay | wanted.GoOn | wanted.SetHand | wanted.Jog
+ANSWERS: dict[type, type] = {
+    wanted.Learn: events.Learned,
+    wanted.Check: events.Checked,
+    wanted.Keep: events.Kept,
+    wanted.Load: events.Loaded,
+    wanted.EndRecording: events.Shown,
+}
+"""Which event answers which effect."""
+
+
+@dataclass(slots=True)
+class Fed:
+    """What is left to do after a journal has been fed back.
+
+    Attributes
+    ----------
+    lines : list of Say
+        Of the last event; those already said are taken off.
+    owed : list of Effect
+        Whose answers are missing.
+    moving : bool
+        The arm was moving.
+    recorded_s : float or None
+        How much of a demonstration was being watched; None if none was.
+    """
+
+    lines: list[wanted.Say] = field(default_factory=list)
+    owed: list[wanted.Effect] = field(default_factory=list)
+    moving: bool = False
+    recorded_s: float | None = None
+
+
+def feed(session: Session, steps: Sequence[Step]) -> Fed:
+    """Bring a fresh session to where the journal ends, moving and computing nothing."""
+    fed = Fed()
+    for past in steps:
+        if isinstance(past, RobotLine) and fed.lines:
+            fed.lines.pop(0)
+        event = _event(session, past)
+        if event is not None:
+            _take(session, fed, event, past)
+    if session.watching is not None:
+        fed.recorded_s = session.watching.now_s
+        session.watching.go_on()
+    return fed
+
+
+def _event(session: Session, past: Step) -> events.Event | None:
+    if isinstance(past, TeacherLine):
+        return events.Heard(past.text, session.understood(past.text))
+    if isinstance(past, Happened):
+        return from_happened(past.result, session.journal.folder)
+    return None
+
+
+def _take(session: Session, fed: Fed, event: events.Event, past: Step) -> None:
+    if session.watching is not None and isinstance(event, events.Heard):
+        at_s = past.at_s if isinstance(past, TeacherLine) else None
+        session.watching.hear(event.text, event.understanding, at_s)
+    _settle(session, fed, event)
+    session.dialogue, effects = step(session.dialogue, event)
+    fed.lines = [effect for effect in effects if isinstance(effect, wanted.Say)]
+    for effect in effects:
+        _owe(session, fed, effect)
+
+
+def _settle(session: Session, fed: Fed, event: events.Event) -> None:
+    answered = next((one for one in fed.owed if isinstance(event, ANSWERS[type(one)])), None)
+    if answered is not None:
+        fed.owed.remove(answered)
+    match event:
+        case events.Begun() | events.Arranged() | events.Checked(refusal=None):
+            session.mover.setup = event.setup
+            if not isinstance(event, events.Checked):
+                session.mover.scene = event.scene
+        case events.ArmReported():
+            fed.moving = event.report.kind not in ("finished", "halted", "unmet")
+        case events.Halted():
+            fed.moving = False
+        case events.Shown():
+            session.watching = None
+        case _:
+            pass
+
+
+def _owe(session: Session, fed: Fed, effect: wanted.Effect) -> None:
+    if isinstance(effect, wanted.Record):
+        session.recordings += 1
+        path = session.journal.folder / f"recording_{session.recordings}.csv"
+        session.watching = Watching(path, read_back(path))
+    elif isinstance(effect, wanted.EndRecording) and not effect.keep:
+        session.watching = None
+    elif isinstance(effect, wanted.Arrange):
+        session.drawn += effect.random
+        session.mover.scene = effect.scene or session.mover.scene
+        session.mover.setup = effect.setup or session.mover.setup
+        if effect.random:
+            fed.owed.append(effect)
+    elif isinstance(effect, MOTION):
+        fed.moving = True
+    elif isinstance(effect, wanted.Leave):
+        session.left = True
+    elif type(effect) in ANSWERS:
+        fed.owed.append(effect)

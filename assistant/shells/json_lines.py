@@ -1,0 +1,119 @@
+"""A program as the teacher: one JSON line in, JSON lines out; time passes only when told.
+
+A line that is a JSON object is a step (``demonstrate``, ``setup``, ``wait``); any other line is
+an utterance. After every line handled, ``{"ready": true, "moving": ...}`` follows.
+"""
+
+from __future__ import annotations
+
+import json
+import queue
+import threading
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+from assistant.errors import BadInput, WorkFailed
+from assistant.model.robot_acts import RobotAct
+from assistant.model.teacher_acts import Stage
+from assistant.model.transcript import Demonstrate, SetupStep, Step, Wait
+from assistant.session.acting import demonstrate, leave, one_step, wait
+from assistant.session.loop import Session
+from assistant.session.opening import chosen
+from assistant.session.saying import as_json
+
+STEPS = "demonstrate, setup or wait"
+
+
+class JsonShell:
+    """Speaks JSON lines.
+
+    Parameters
+    ----------
+    write : callable
+        Takes one line of output, without its line break.
+    """
+
+    def __init__(self, write: Callable[[str], None]) -> None:
+        self._write = write
+        self._session: Session | None = None
+        self._lines: queue.Queue[str | None] = queue.Queue()
+
+    def out(self, line: RobotAct, text: str) -> None:
+        """Tell a robot line."""
+        stage: Stage = "introduction" if self._session is None else self._session.listening.stage
+        self._tell(as_json(line, text, stage))
+
+    def run(self, session: Session, lines: Iterable[str]) -> None:
+        """Hold the conversation until the robot leaves or the input ends."""
+        self._session = session
+        threading.Thread(target=self._read, args=(session, lines), daemon=True).start()
+        self._ready(session)
+        while not session.left:
+            line = self._lines.get()
+            if line is None:
+                leave(session, "end of input")
+                return
+            self._take(session, line)
+            self._ready(session)
+
+    def _read(self, session: Session, lines: Iterable[str]) -> None:
+        # Read beside the conversation, so that a stop word is seen while time passes.
+        try:
+            for line in lines:
+                if self._lines.empty():
+                    session.raw(line)
+                self._lines.put(line.strip())
+        finally:
+            self._lines.put(None)
+
+    def _take(self, session: Session, line: str) -> None:
+        if not line:
+            return
+        try:
+            if line.startswith("{"):
+                self._act(session, step_of(line))
+            else:
+                session.hear(line)
+        except (BadInput, WorkFailed) as error:
+            self._tell(
+                {
+                    "act": "error",
+                    "asked": session.listening.asked,
+                    "about": None,
+                    "text": str(error),
+                    "stage": session.listening.stage,
+                }
+            )
+
+    def _act(self, session: Session, step: Step) -> None:
+        match step:
+            case Demonstrate():
+                demonstrate(session, step, Path())
+            case SetupStep():
+                session.arrange(*chosen(step.choice, Path()))
+            case Wait():
+                wait(session, step)
+            case _:
+                raise BadInput.one("step", "not a step for a program", STEPS)
+
+    def _ready(self, session: Session) -> None:
+        self._tell({"ready": True, "moving": session.moving})
+
+    def _tell(self, told: dict[str, Any]) -> None:
+        self._write(json.dumps(told, ensure_ascii=False))
+
+
+def step_of(line: str) -> Step:
+    """Return the step a JSON object stands for.
+
+    Raises
+    ------
+    BadInput
+        If it is no JSON, or no step.
+    """
+    try:
+        told = json.loads(line)
+    except json.JSONDecodeError as error:
+        raise BadInput.one("input", f"not JSON: {error}", f"a step: {STEPS}") from error
+    return one_step(told)

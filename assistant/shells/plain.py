@@ -1,0 +1,74 @@
+"""Lines in, lines out: for pipes and for terminals that can do no more.
+
+From a pipe the arm runs to rest before the next line is heard, so that a prepared
+conversation always goes the same way; at a terminal it moves while the teacher types.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from assistant.model.robot_acts import RobotAct
+from assistant.session.acting import leave
+from assistant.session.loop import Session
+from assistant.shells.pacing import Ticker
+from assistant.shells.showing import Showing
+
+
+class PlainShell:
+    """Talks in plain lines.
+
+    Parameters
+    ----------
+    write : callable
+        Takes one line of output.
+    """
+
+    def __init__(self, write: Callable[[str], None]) -> None:
+        self._write = write
+        self._showing = Showing(write)
+        self._error: BaseException | None = None
+
+    def out(self, line: RobotAct, text: str) -> None:
+        """Say a robot line."""
+        self._write(f"robot: {text}")
+
+    def run(self, session: Session, lines: Iterable[str], *, live: bool) -> None:
+        """Hold the conversation until the robot leaves or the input ends.
+
+        Parameters
+        ----------
+        session : Session
+        lines : iterable of str
+        live : bool
+            The arm moves in real time beside the input; else it rests before each line.
+        """
+        ticker = Ticker(session, self._fail)
+        if live:
+            ticker.start()
+        try:
+            for line in lines:
+                session.raw(line)
+                with ticker.lock:
+                    self._take(session, line.strip())
+                if not live:
+                    session.rest()
+                if session.left or self._error is not None:
+                    break
+        except KeyboardInterrupt:
+            with ticker.lock:
+                session.halt("interrupted")
+                self._write("(stopped)")
+        finally:
+            ticker.stop()
+        if self._error is not None:
+            raise self._error
+        leave(session, "end of input")
+
+    def _take(self, session: Session, line: str) -> None:
+        if line and not self._showing.take(session, line):
+            session.hear(line)
+        self._showing.offer(session)
+
+    def _fail(self, error: BaseException) -> None:
+        self._error = error

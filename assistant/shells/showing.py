@@ -1,0 +1,77 @@
+"""Ways to show a task at a terminal: keys, a scripted hand, or a recording; offered when due."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+from assistant.errors import AssistantError
+from assistant.files.demonstrations import read_demonstration
+from assistant.model.transcript import Demonstrate
+from assistant.session.acting import demonstrate
+from assistant.session.loop import Session
+
+OFFER = (
+    "  How will you show it? Type one of:",
+    "    keys             drive the hand yourself with the keyboard",
+    "    scripted hand    let a scripted hand show it (scripted hand 7: another one)",
+    "    FILE             a recording (.csv) or demonstration (.yaml)",
+)
+"""What a newcomer needs to know when the robot begins to watch."""
+_SCRIPTED = re.compile(r"(?:the )?script(?:ed)?(?: hand)?(?: (\d+))?", re.IGNORECASE)
+
+
+class Showing:
+    """Takes lines that say how the task is shown.
+
+    Parameters
+    ----------
+    write : callable
+        Takes one line of output.
+    keys : callable, optional
+        Lets the teacher drive the hand by keys; None where there are no keys to read.
+    """
+
+    def __init__(
+        self, write: Callable[[str], None], keys: Callable[[Session], None] | None = None
+    ) -> None:
+        self._write = write
+        self._keys = keys
+        self._offered: object = None
+
+    def offer(self, session: Session) -> None:
+        """Tell how the task can be shown, once when the robot begins to watch."""
+        if session.watching is None or session.watching is self._offered:
+            return
+        self._offered = session.watching
+        for line in OFFER:
+            if self._keys is not None or not line.strip().startswith("keys"):
+                self._write(line)
+
+    def take(self, session: Session, line: str) -> bool:
+        """Show the task if the line says how; return whether it did."""
+        if session.watching is None:
+            return False
+        scripted = _SCRIPTED.fullmatch(line)
+        try:
+            if line.lower() == "keys" and self._keys is not None:
+                self._keys(session)
+            elif scripted:
+                seed = int(scripted.group(1) or 0)
+                demonstrate(session, Demonstrate(seed=seed, cues=None), Path())
+            elif line.endswith((".csv", ".yaml", ".yml")):
+                self._file(session, Path(line).expanduser())
+            else:
+                return False
+        except AssistantError as error:
+            self._write(f"  {error}")
+        return True
+
+    def _file(self, session: Session, path: Path) -> None:
+        if path.suffix == ".csv":
+            demonstrate(session, Demonstrate(recording=str(path)), Path())
+            return
+        shown = read_demonstration(path)
+        step = Demonstrate(str(path), cues=shown.cues, key_states=shown.key_states)
+        demonstrate(session, step, Path())

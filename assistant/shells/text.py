@@ -1,0 +1,153 @@
+"""The terminal: one line to type in, the robot's lines above it, Ctrl-C stops the arm.
+
+The arm moves beside the typing; a half-typed sentence stays as it is while the robot talks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from prompt_toolkit import PromptSession
+from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
+from prompt_toolkit.completion import CompleteEvent, Completer, Completion
+from prompt_toolkit.document import Document
+from prompt_toolkit.formatted_text import FormattedText
+from prompt_toolkit.history import FileHistory, History, InMemoryHistory
+from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.patch_stdout import patch_stdout
+from prompt_toolkit.shortcuts import print_formatted_text
+
+from assistant.language.completion import suggestions
+from assistant.model.robot_acts import RobotAct
+from assistant.session.acting import leave
+from assistant.session.loop import Session
+from assistant.shells.pacing import Ticker
+from assistant.shells.showing import Showing
+
+WELCOME = (
+    "  Answer in your own words and press Enter. Tab shows what can be said now,",
+    "  Ctrl-C stops the arm at once, 'help' explains, 'quit' leaves. Nothing you say is lost.",
+)
+STYLES = {"stopped": "bold ansired", "refuse": "ansiyellow", "error": "ansired", "ask": "bold"}
+REFRESH_S = 0.5
+
+
+class TextShell:
+    """Talks at a terminal.
+
+    Parameters
+    ----------
+    history : Path
+        Where what was typed is remembered between sessions.
+    """
+
+    def __init__(self, history: Path) -> None:
+        self._history = history
+        self._session: Session | None = None
+        self._ticker: Ticker | None = None
+        self._error: BaseException | None = None
+        self._showing = Showing(self._write)
+
+    def out(self, line: RobotAct, text: str) -> None:
+        """Say a robot line above the line being typed."""
+        style = STYLES.get(line.act, "")
+        print_formatted_text(FormattedText([("ansicyan", "robot: "), (style, text)]))
+
+    def run(self, session: Session) -> None:
+        """Hold the conversation until the robot leaves or the terminal closes."""
+        self._session = session
+        self._ticker = ticker = Ticker(session, self._fail)
+        for line in WELCOME:
+            self._write(line)
+        prompt = self._prompt(session)
+        ticker.start()
+        try:
+            with patch_stdout(raw=True):
+                while not session.left and self._error is None:
+                    self._turn(session, prompt)
+        except EOFError:
+            with ticker.lock:
+                leave(session, "end of input")
+        finally:
+            ticker.stop()
+        if self._error is not None:
+            raise self._error
+
+    def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
+        text = prompt.prompt("you: ").strip()
+        session.raw(text)
+        assert self._ticker is not None
+        with self._ticker.lock:
+            if text and not self._showing.take(session, text):
+                session.hear(text)
+            self._showing.offer(session)
+
+    def _prompt(self, session: Session) -> PromptSession[str]:
+        return PromptSession(
+            history=_history(self._history),
+            completer=Sayable(session),
+            complete_while_typing=False,
+            auto_suggest=AutoSuggestFromHistory(),
+            enable_history_search=True,
+            bottom_toolbar=lambda: toolbar(session),
+            refresh_interval=REFRESH_S,
+            key_bindings=self._keys(session),
+        )
+
+    def _keys(self, session: Session) -> KeyBindings:
+        keys = KeyBindings()
+
+        @keys.add("c-c", eager=True)
+        def stop(event: KeyPressEvent) -> None:
+            if session.moving:
+                session.equipment.stop_flag.set()
+                assert self._ticker is not None
+                with self._ticker.lock:
+                    session.halt("Ctrl-C")
+            elif event.current_buffer.text:
+                event.current_buffer.reset()
+            else:
+                self._write("  (the arm rests; 'quit' or Ctrl-D leaves)")
+
+        return keys
+
+    def _write(self, line: str) -> None:
+        print_formatted_text(FormattedText([("ansigray", line)]))
+
+    def _fail(self, error: BaseException) -> None:
+        self._error = error
+
+
+class Sayable(Completer):
+    """Completes to what can be said now."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+
+    def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
+        """Yield the sentences that go on from what is typed, then those that contain it."""
+        typed = document.text_before_cursor.lstrip().lower()
+        known = suggestions(self._session.listening, self._session.language)
+        first = [text for text in known if text.lower().startswith(typed)]
+        words = [text for text in known if typed in text.lower() and text not in first]
+        for text in (*first, *words):
+            yield Completion(text, start_position=-len(document.text_before_cursor.lstrip()))
+
+
+def toolbar(session: Session) -> str:
+    """Return where the conversation stands: stage, node of the tree, what the arm does."""
+    stage = session.listening.stage
+    node = str(session.dialogue_view.get("node") or session.listening.task or "no task yet")
+    arm = "MOVING - Ctrl-C stops" if session.moving else "arm at rest"
+    return f" {stage} | {node} | {arm} "
+
+
+def _history(path: Path) -> History:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    except OSError:
+        # Without a writable folder the history lasts as long as the session.
+        return InMemoryHistory()
+    return FileHistory(str(path))
