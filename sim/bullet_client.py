@@ -1,0 +1,62 @@
+"""PyBullet, imported without its greeting, and a connection that is closed with its owner."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+from collections.abc import Iterator
+from typing import Any
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    # The library's greeting is written by C code straight to the file descriptor.
+    sys.stdout.flush()
+    kept = os.dup(1)
+    try:
+        with open(os.devnull, "wb") as nowhere:
+            os.dup2(nowhere.fileno(), 1)
+            yield
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+
+
+with _quiet():
+    import pybullet as bullet
+
+
+class Client:
+    """One physics server; attributes are PyBullet's functions bound to it.
+
+    Parameters
+    ----------
+    window : bool
+        Show it; otherwise it runs without any display.
+    """
+
+    def __init__(self, *, window: bool = False) -> None:
+        with _quiet():
+            self.id: int = bullet.connect(bullet.GUI if window else bullet.DIRECT)
+
+    def __getattr__(self, name: str) -> Any:
+        function = getattr(bullet, name)
+        if not callable(function):
+            return function
+
+        def bound(*args: Any, **named: Any) -> Any:
+            return function(*args, physicsClientId=self.id, **named)
+
+        setattr(self, name, bound)
+        return bound
+
+    def close(self) -> None:
+        """Leave the server; a second time does nothing."""
+        if self.id >= 0:
+            with contextlib.suppress(bullet.error):
+                bullet.disconnect(physicsClientId=self.id)
+            self.id = -1
+
+    def __del__(self) -> None:
+        self.close()

@@ -1,0 +1,43 @@
+"""Numbers of the physics, each with its reason."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class BulletSettings:
+    """Settings of the simulated contact.
+
+    Parameters
+    ----------
+    physics_hz : int
+        A whole multiple of the control rate.
+    iterations : int
+        Of the contact solver; it is never left early, so that runs repeat exactly.
+    joint_gain, joint_force : float, float
+        Share of a joint's position error removed in a step, and the torque to do it with.
+    pad_friction : float
+    grip_n : float
+        Force of each finger.
+    finger_gain : float
+    gear_force, gear_erp : float, float
+        Of the coupling of the two fingers.
+    tracking_rad : float
+        A joint further than this from its command is a fault.
+    touch_n, bump_n : float, float
+        A finger holds from this force on; a body is bumped into from this force on.
+    """
+
+    physics_hz: int = 250
+    iterations: int = 100
+    joint_gain: float = 0.3
+    joint_force: float = 2000.0
+    pad_friction: float = 0.9
+    grip_n: float = 30.0
+    finger_gain: float = 0.3
+    gear_force: float = 1000.0
+    gear_erp: float = 0.2
+    tracking_rad: float = 0.01
+    touch_n: float = 1.0
+    bump_n: float = 1.0

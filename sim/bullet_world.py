@@ -1,0 +1,191 @@
+"""Arm, gripper and bodies in PyBullet, with real contact: what is held is held by friction.
+
+The arm's joints are position drives with velocity feed-forward, followed step by step; the
+fingers are coupled as in a real parallel gripper and press with a bounded force. Nothing ties
+a body to the hand.
+"""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+
+from assistant.geometry import Array, compose, inverse
+from assistant.model.scene import Scene
+from sim import a465
+from sim.bullet_bodies import add_body, add_obstacle, middle_in_base
+from sim.bullet_client import Client
+from sim.bullet_settings import BulletSettings
+from sim.urdf import ARM_JOINTS, FINGER_JOINTS, PAD_LINKS, write_urdf
+from sim.world import CONTROL_S, Allowed, Fault
+
+OTHER, LINK, FORCE = 2, 3, 9
+"""Fields of a contact point: the other body, the own link, the normal force."""
+
+
+class BulletWorld:
+    """Contact physics around the arm.
+
+    Parameters
+    ----------
+    window : bool
+        Show it.
+    settings : BulletSettings, optional
+    """
+
+    def __init__(self, *, window: bool = False, settings: BulletSettings | None = None) -> None:
+        self.settings = settings or BulletSettings()
+        self._client = Client(window=window)
+        self._steps = round(self.settings.physics_hz * CONTROL_S)
+        self._numbers: dict[str, int] = {}
+        self._bases: dict[str, Array] = {}
+        self._names: dict[int, str] = {}
+        self._q = np.array(a465.READY)
+        self._finger_m = a465.GRIPPER.open_m / 2
+        self._arm = -1
+
+    def arrange(self, scene: Scene, bodies: Mapping[str, Array], q: Array) -> None:
+        """Put arm and bodies at their places, the hand open."""
+        client, settings = self._client, self.settings
+        client.resetSimulation()
+        client.setGravity(0.0, 0.0, -9.81)
+        client.setPhysicsEngineParameter(
+            fixedTimeStep=1.0 / settings.physics_hz,
+            numSolverIterations=settings.iterations,
+            solverResidualThreshold=0.0,
+            deterministicOverlappingPairs=1,
+        )
+        self._load_arm()
+        self._names = {add_obstacle(client, b): b.name for b in (*scene.tables, *scene.obstacles)}
+        self._tables = set(self._names)
+        known = {name: pose for name, pose in bodies.items() if name in scene.bodies}
+        self._numbers = {n: add_body(client, scene.bodies[n], p) for n, p in known.items()}
+        self._names.update({number: name for name, number in self._numbers.items()})
+        self._bases = {n: inverse(middle_in_base(scene.bodies[n].size_mm[2])) for n in known}
+        self._fixed = {n: p for n, p in bodies.items() if n not in known}
+        self.seat(q)
+
+    def _load_arm(self) -> None:
+        client, settings = self._client, self.settings
+        with tempfile.TemporaryDirectory() as folder:
+            self._arm = client.loadURDF(
+                str(write_urdf(Path(folder))),
+                useFixedBase=True,
+                flags=client.URDF_USE_INERTIA_FROM_FILE,
+            )
+        infos = [client.getJointInfo(self._arm, k) for k in range(client.getNumJoints(self._arm))]
+        number = {info[1].decode(): info[0] for info in infos}
+        link = {info[12].decode(): info[0] for info in infos}
+        self._joints = [number[name] for name in ARM_JOINTS]
+        self._fingers = [number[name] for name in FINGER_JOINTS]
+        self._pads = [link[name] for name in PAD_LINKS]
+        for k in range(-1, len(infos)):
+            client.changeDynamics(
+                self._arm, k, linearDamping=0.0, angularDamping=0.0, jointDamping=0.0
+            )
+        for pad in self._pads:
+            client.changeDynamics(
+                self._arm, pad, lateralFriction=settings.pad_friction, frictionAnchor=True
+            )
+        gear = client.createConstraint(
+            self._arm,
+            self._fingers[0],
+            self._arm,
+            self._fingers[1],
+            client.JOINT_GEAR,
+            [0, 1, 0],
+            [0, 0, 0],
+            [0, 0, 0],
+        )
+        client.changeConstraint(
+            gear, gearRatio=-1, maxForce=settings.gear_force, erp=settings.gear_erp
+        )
+
+    def seat(self, q: Array) -> None:
+        """Put the joints elsewhere at once, before anything has moved."""
+        self._q, self._finger_m = np.array(q), a465.GRIPPER.open_m / 2
+        for joint, angle in zip(self._joints, q, strict=True):
+            self._client.resetJointState(self._arm, joint, float(angle))
+        for finger in self._fingers:
+            self._client.resetJointState(self._arm, finger, self._finger_m)
+
+    def step(self, q: Array, hand: Array, opening_m: float, allowed: Allowed) -> Fault | None:
+        """Advance by one control tick, a whole number of physics steps."""
+        client, settings = self._client, self.settings
+        begin, finger = self._q, self._finger_m
+        speed = ((q - begin) / CONTROL_S).tolist()
+        six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
+        for k in range(self._steps):
+            share = k / self._steps
+            client.setJointMotorControlArray(
+                self._arm,
+                self._joints,
+                client.POSITION_CONTROL,
+                targetPositions=(begin + share * (q - begin)).tolist(),
+                targetVelocities=speed,
+                positionGains=six,
+                velocityGains=[1.0] * 6,
+                forces=[settings.joint_force] * 6,
+            )
+            reach = finger + (share + 1 / self._steps) * (opening_m / 2 - finger)
+            client.setJointMotorControlArray(
+                self._arm,
+                self._fingers,
+                client.POSITION_CONTROL,
+                targetPositions=[reach, reach],
+                positionGains=two,
+                velocityGains=[1.0, 1.0],
+                forces=[settings.grip_n] * 2,
+            )
+            client.stepSimulation()
+        self._q, self._finger_m = np.array(q), opening_m / 2
+        return self._fault(allowed)
+
+    def _fault(self, allowed: Allowed) -> Fault | None:
+        client, settings = self._client, self.settings
+        gap = np.max(np.abs(self.joints()[0] - self._q))
+        grasped = self._numbers.get(allowed.grasped, -1)
+        for point in client.getContactPoints(bodyA=self._arm):
+            fine = point[OTHER] == grasped and point[LINK] in self._pads
+            # The foot of the arm is bolted through the table.
+            foot = point[LINK] < 1 and point[OTHER] in self._tables
+            if not fine and not foot and point[FORCE] > settings.bump_n:
+                return Fault("contact", self._names.get(point[OTHER], "arm"))
+        if grasped >= 0 and not allowed.resting:
+            for point in client.getContactPoints(bodyA=grasped):
+                if point[OTHER] != self._arm and point[FORCE] > settings.bump_n:
+                    return Fault("contact", self._names.get(point[OTHER], ""))
+        return Fault("tracking") if gap > settings.tracking_rad else None
+
+    def joints(self) -> tuple[Array, float]:
+        """Return measured joint angles, shape (6,), and opening in m."""
+        states = self._client.getJointStates(self._arm, [*self._joints, *self._fingers])
+        values = [state[0] for state in states]
+        return np.array(values[:6]), float(values[6] + values[7])
+
+    def bodies(self) -> dict[str, Array]:
+        """Return the middle of each body's base, shape (7,) each."""
+        told = dict(self._fixed)
+        for name, number in self._numbers.items():
+            place, turn = self._client.getBasePositionAndOrientation(number)
+            told[name] = compose(np.array([*place, *turn]), self._bases[name])
+        return told
+
+    def held(self) -> str:
+        """Return the name of the body that both pads press on; empty for none."""
+        pressed: list[dict[int, float]] = [{}, {}]
+        for side, pad in enumerate(self._pads):
+            for point in self._client.getContactPoints(bodyA=self._arm, linkIndexA=pad):
+                pressed[side][point[OTHER]] = pressed[side].get(point[OTHER], 0.0) + point[FORCE]
+        least = self.settings.touch_n
+        for number, force in pressed[0].items():
+            if force > least and pressed[1].get(number, 0.0) > least:
+                return self._names.get(number, "")
+        return ""
+
+    def close(self) -> None:
+        """End the simulation."""
+        self._client.close()
