@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import os
 import re
+from io import FileIO
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 from assistant.errors import BadInput, Problem
 from assistant.files.forms import check_format, the_document, validated
@@ -135,7 +136,7 @@ def _values(transcript: Transcript) -> dict[str, Any]:
 def begin_journal(transcript: Transcript, path: Path) -> None:
     """Write the head of a new journal and the steps it has; the file must not exist yet."""
     try:
-        with path.open("xb") as file:
+        with path.open("xb", buffering=0) as file:
             head = write({**_values(transcript), "steps": []}).replace("steps: []", "steps:")
             _flush(file, head + "".join(_item(step) for step in transcript.steps))
     except FileExistsError as error:
@@ -153,7 +154,7 @@ def append_step(path: Path, step: Step) -> None:
         If it cannot be written; what was there before stays whole.
     """
     try:
-        with path.open("ab") as file:
+        with path.open("ab", buffering=0) as file:
             before = file.tell()
             try:
                 _flush(file, _item(step))
@@ -165,9 +166,10 @@ def append_step(path: Path, step: Step) -> None:
         raise cannot_write(path, error) from error
 
 
-def _flush(file: BinaryIO, text: str) -> None:
-    file.write(text.encode("utf-8", errors="replace"))
-    file.flush()
+def _flush(file: FileIO, text: str) -> None:
+    left = memoryview(text.encode("utf-8", errors="replace"))
+    while left:
+        left = left[file.write(left) :]
     os.fsync(file.fileno())
 
 
