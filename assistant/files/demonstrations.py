@@ -84,6 +84,12 @@ def write_demonstration(demonstration: Demonstration, path: Path) -> None:
 
 def demonstration_text(demonstration: Demonstration, recording: str) -> str:
     """Return the text of a demonstration/1 file that names its recording."""
+    spread = ["setup", "places"] if demonstration.setup.places else []
+    return write(demonstration_values(demonstration, recording), spread=spread)
+
+
+def demonstration_values(demonstration: Demonstration, recording: str) -> dict[str, Any]:
+    """Return a demonstration that names its recording as plain values."""
     values = {
         "format": FORMAT,
         "recording": recording,
@@ -92,8 +98,7 @@ def demonstration_text(demonstration: Demonstration, recording: str) -> str:
         "cues": spoken_values(demonstration.cues),
         "key_states": spoken_values(demonstration.key_states),
     }
-    kept = {key: value for key, value in values.items() if value or key == "cues"}
-    return write(kept, spread=["setup", "places"] if demonstration.setup.places else [])
+    return {key: value for key, value in values.items() if value or key == "cues"}
 
 
 def _setup_values(setup: Setup) -> dict[str, Any]:

@@ -115,7 +115,12 @@ def write_setups(setups: Sequence[Setup], path: Path) -> None:
 
 def setup_text(setup: Setup) -> str:
     """Return the text of a setup/1 document."""
-    return write({"format": FORMAT, **setup_values(setup)}, spread=["places"])
+    return write(setup_file_values(setup), spread=["places"])
+
+
+def setup_file_values(setup: Setup) -> dict[str, Any]:
+    """Return a setup/1 document as plain values."""
+    return {"format": FORMAT, **setup_values(setup)}
 
 
 def setup_values(setup: Setup) -> dict[str, Any]:

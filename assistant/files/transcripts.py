@@ -117,10 +117,11 @@ def write_transcript(transcript: Transcript, path: Path) -> None:
 
 def transcript_text(transcript: Transcript) -> str:
     """Return the text of a transcript/1 file."""
-    return write(_values(transcript), spread=SPREAD)
+    return write(transcript_values(transcript), spread=SPREAD)
 
 
-def _values(transcript: Transcript) -> dict[str, Any]:
+def transcript_values(transcript: Transcript) -> dict[str, Any]:
+    """Return a transcript as plain values."""
     values: dict[str, Any] = {"format": FORMAT, "title": transcript.title}
     if transcript.setup is not None:
         values["setup"] = choice_value(transcript.setup)
@@ -137,7 +138,9 @@ def begin_journal(transcript: Transcript, path: Path) -> None:
     """Write the head of a new journal and the steps it has; the file must not exist yet."""
     try:
         with path.open("xb", buffering=0) as file:
-            head = write({**_values(transcript), "steps": []}).replace("steps: []", "steps:")
+            head = write({**transcript_values(transcript), "steps": []}).replace(
+                "steps: []", "steps:"
+            )
             _flush(file, head + "".join(_item(step) for step in transcript.steps))
     except FileExistsError as error:
         raise BadInput.one(str(path), "a journal of this name exists", "another name") from error

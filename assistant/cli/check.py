@@ -1,0 +1,60 @@
+"""Validate files: tasks, setups, scenes, demonstrations, transcripts and recordings.
+
+Every problem is one line, file:line: what is wrong; what would be right. What can be used but
+looks odd is told as a warning and is no problem.
+
+example:
+  assistant check tasks/*.yaml tasks/setups/*.yaml
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+from typing import Any
+
+from assistant.cli import BAD_INPUT, DONE
+from assistant.errors import BadInput, Problem
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the verb takes."""
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("--json", action="store_true", help="one JSON line at the end")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Check each file; the status is 2 if any has a problem."""
+    results = [_checked(path) for path in args.files]
+    if args.json:
+        print(json.dumps({"files": results}))
+    else:
+        for result in results:
+            _tell(result)
+    return BAD_INPUT if any(result["problems"] for result in results) else DONE
+
+
+def _checked(path: Path) -> dict[str, Any]:
+    from assistant.files.kinds import read_known
+
+    result: dict[str, Any] = {"file": str(path), "kind": None, "problems": [], "warnings": []}
+    try:
+        known = read_known(path)
+    except BadInput as error:
+        return {**result, "problems": [_fields(each) for each in error.problems]}
+    return {**result, "kind": known.kind, "warnings": [_fields(each) for each in known.warnings]}
+
+
+def _fields(problem: Problem) -> dict[str, str]:
+    return {"where": problem.where, "what": problem.what, "right": problem.right}
+
+
+def _tell(result: dict[str, Any]) -> None:
+    for fields in result["problems"]:
+        print(Problem(**fields), file=sys.stderr)
+    for fields in result["warnings"]:
+        print(f"warning: {Problem(**fields)}", file=sys.stderr)
+    if not result["problems"]:
+        print(f"{result['file']}: a good {result['kind']}")

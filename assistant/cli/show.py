@@ -1,0 +1,47 @@
+"""Show a file for people: a tree, lesson, demonstration, setup, scene or transcript.
+
+example:
+  assistant show tasks/pick_and_place.yaml
+  assistant show demonstration.yaml
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from assistant.cli import DONE
+from assistant.errors import BadInput
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the verb takes."""
+    parser.add_argument("file", type=Path, metavar="FILE", help="a file, or a kept task's name")
+    parser.add_argument("--figures", type=Path, metavar="DIR", help="also draw figures there")
+    parser.add_argument("--json", action="store_true", help="the values as one JSON line")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Show the file."""
+    from assistant.files.kinds import read_known
+    from assistant.files.library import library
+    from assistant.files.plain import plain_values
+
+    kept = library()
+    path = args.file
+    if not path.exists() and str(path) in kept:
+        path = kept.path(str(path))
+    known = read_known(path)
+    for warning in known.warnings:
+        print(f"warning: {warning}", file=sys.stderr)
+    if args.json:
+        print(json.dumps(plain_values(known.value)))
+    else:
+        from assistant.shells.telling import terminal, view
+
+        terminal().print(view(known.value))
+    if args.figures:
+        raise BadInput.one("--figures", "is not built yet", "leave it out")
+    return DONE

@@ -1,0 +1,196 @@
+"""The task tree and what was learned for it, for people at a terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+from rich.console import Group, RenderableType
+from rich.markup import escape
+from rich.table import Table
+from rich.text import Text
+from rich.tree import Tree
+
+from assistant.geometry import pose_to_mm_deg
+from assistant.model.feedback import Feedback
+from assistant.model.lesson import Lesson, SegmentationPoint, Station
+from assistant.model.task import Condition, Primitive, Subtask, Task
+from assistant.shells import curves
+
+COLUMNS = 60
+
+
+def task_view(task: Task) -> RenderableType:
+    """Return a whole task: its tree and, where there is one, its lesson."""
+    parts: list[RenderableType] = [task_tree(task)]
+    if task.objects:
+        told = ", ".join(f"{each.name} ({each.role})" for each in task.objects)
+        parts.append(Text(f"objects: {told}"))
+    if task.learned is None:
+        parts.append(Text("nothing has been shown yet", style="dim"))
+    else:
+        parts.extend(lesson_views(task.learned))
+    return Group(*parts)
+
+
+def task_tree(task: Task) -> Tree:
+    """Return the tree with actions and conditions, numbered as people refer to it."""
+    goal = f" [dim]· {escape(task.goal)}[/dim]" if task.goal else ""
+    tree = Tree(f"[bold]{escape(task.name)}[/bold]{goal}")
+    _add_parts(tree, task.tree, "")
+    return tree
+
+
+def _add_parts(tree: Tree, subtask: Subtask, number: str) -> None:
+    if subtask.order == "any" and len(subtask.parts) > 1:
+        tree.label = f"{tree.label} [dim](in any order)[/dim]"
+    for position, part in enumerate(subtask.parts, start=1):
+        here = f"{number}{position}"
+        optional = " [dim](optional)[/dim]" if part.optional else ""
+        if isinstance(part, Subtask):
+            goal = f" [dim]· {escape(part.goal)}[/dim]" if part.goal else ""
+            branch = tree.add(f"{here} [bold]{escape(part.name)}[/bold]{goal}{optional}")
+            _add_parts(branch, part, f"{here}.")
+        else:
+            leaf = f"{here} {escape(part.name)} [dim]· {escape(_action(part))}[/dim]{optional}"
+            tree.add(leaf + _conditions(part))
+
+
+def _action(primitive: Primitive) -> str:
+    action = primitive.action
+    way = action.way if action.verb == "free" else f"{action.verb} {action.way}"
+    return f"{way}: {action.object}" if action.object else way
+
+
+def _conditions(primitive: Primitive) -> str:
+    told = [
+        f"{word} {', '.join(map(condition_words, conditions))}"
+        for word, conditions in (("before:", primitive.before), ("until:", primitive.until))
+        if conditions
+    ]
+    return f"\n[dim]{escape('; '.join(told))}[/dim]" if told else ""
+
+
+def condition_words(condition: Condition) -> str:
+    """Return a condition in words, such as "block on target"."""
+    thing, target = condition.object or "it", condition.target or "it"
+    match condition.kind:
+        case "hand":
+            return f"hand {thing}"
+        case "docked":
+            return f"docked at {thing}"
+        case "held":
+            return f"{thing} in the hand"
+        case "on":
+            return f"{thing} on {target}"
+        case "aligned":
+            return f"{thing} aligned with {target}"
+        case "above":
+            return f"{thing} above {target}"
+        case "clear":
+            return f"clear of {thing}"
+
+
+def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
+    """Yield what was learned: source, votes, cuts, episodes, docking, corrections, questions."""
+    yield Text(_summary(lesson))
+    if len(lesson.segmentation.vote_t_s) > 1:
+        yield Text(votes_picture(lesson))
+    if lesson.segmentation.points:
+        yield _points(lesson.segmentation.points)
+    if lesson.segmentation.episodes:
+        yield _episodes(lesson)
+    if lesson.stations:
+        yield _stations(lesson.stations)
+    yield from (Text(f"correction: {feedback_words(each)}") for each in lesson.feedback)
+    for question in lesson.segmentation.questions:
+        about = f" about {question.about}" if question.about else ""
+        yield Text(f"open question: {question.asked}{about} ({question.reason})", style="yellow")
+
+
+def _summary(lesson: Lesson) -> str:
+    told = [f"learned from {', '.join(lesson.sources) or 'a demonstration'}"]
+    if lesson.path is not None:
+        told.append(f"path of {lesson.path.t_s[-1] - lesson.path.t_s[0]:.1f} s")
+        told.append(f"{len(lesson.path.t_s)} samples")
+    if lesson.segmentation.cue_lag_s is not None:
+        told.append(f"cues {lesson.segmentation.cue_lag_s:.2f} s late")
+    if lesson.speed != 1.0:
+        told.append(f"speed {lesson.speed:.0%} of the demonstration's")
+    return "; ".join(told)
+
+
+def votes_picture(lesson: Lesson, columns: int = COLUMNS) -> str:
+    """Return the course of the vote with a mark at each cut."""
+    cuts = lesson.segmentation
+    lines = [
+        "votes",
+        *curves.bars(curves.sampled(cuts.vote_t_s, cuts.vote, columns)),
+        curves.marks(cuts.cuts_s, cuts.vote_t_s, columns, "|"),
+        curves.axis(cuts.vote_t_s, columns),
+    ]
+    return "\n".join(lines)
+
+
+def _table(title: str, *columns: str) -> Table:
+    table = Table(title=title, title_justify="left", box=None, pad_edge=False)
+    for column in columns:
+        table.add_column(column, justify="left" if column.islower() else "right")
+    return table
+
+
+def _points(points: Sequence[SegmentationPoint]) -> Table:
+    table = _table("cuts", "at s", "confidence", "kind", "votes")
+    for point in points:
+        kind = "eliminated" if not point.kept else "inside one" if point.internal else "cut"
+        votes = ", ".join(f"{name} {vote:.2f}" for name, vote in point.votes.items())
+        style = "" if point.kept and not point.internal else "dim"
+        row = (f"{point.at_s:.2f}", f"{point.confidence:.0%}", kind, votes)
+        table.add_row(*map(escape, row), style=style)
+    return table
+
+
+def _episodes(lesson: Lesson) -> Table:
+    table = _table("episodes", "nr", "from s", "to s", "primitive", "sure", "motion")
+    for number, episode in enumerate(lesson.segmentation.episodes, start=1):
+        row = (
+            str(number),
+            f"{episode.from_s:.2f}",
+            f"{episode.to_s:.2f}",
+            episode.primitive or "(nobody introduced it)",
+            f"{episode.probability:.0%}",
+            episode.character,
+        )
+        table.add_row(*map(escape, row))
+    return table
+
+
+def _stations(stations: Sequence[Station]) -> Table:
+    table = _table("docking", "kind", "object", "frame", "docking from there, mm and deg")
+    for station in stations:
+        mm, deg = pose_to_mm_deg(station.docking_in_frame)
+        place = f"({_numbers(mm)}) turned ({_numbers(deg)})"
+        table.add_row(*map(escape, (station.kind, station.object, station.frame, place)))
+    return table
+
+
+def _numbers(values: Iterable[float]) -> str:
+    return ", ".join(f"{value + 0.0:.1f}" for value in values)
+
+
+def feedback_words(feedback: Feedback) -> str:
+    """Return a correction with the teacher's words and what it changed."""
+    match feedback.kind:
+        case "translate":
+            change = f"moved by ({_numbers([1000.0 * x for x in feedback.offset_m])}) mm"
+        case "rotate":
+            change = (
+                f"turned by ({_numbers([float(np.rad2deg(x)) for x in feedback.turn_rad])}) deg"
+            )
+        case "speed":
+            change = f"speed times {feedback.factor:.2f}"
+        case "hand":
+            change = f"hand {feedback.hand}"
+    where = f" {feedback.when} {feedback.primitive}" if feedback.primitive else ""
+    frame = f" (moves with {feedback.frame})" if feedback.frame else ""
+    return f'"{feedback.words}": {change}{where}{frame}'
