@@ -63,17 +63,27 @@ class Replay:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """Adapt the task to a setup and check it (answered by ``Checked``)."""
+    """Adapt the task to a setup and check it (answered by ``Checked``).
+
+    Parameters
+    ----------
+    speed : float
+        Factor of the demonstration's speed.
+    anew : bool
+        Only the rest of the run that was halted, from the measured pose, with what the task
+        says now (it was corrected while paused). The ``Move`` that follows is `anew` too.
+    """
 
     task: Task
     setup: Setup
     scene: Scene
     speed: float
+    anew: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Carry out what was checked last, or go on from where the arm is (`anew`: checked anew).
+    """Carry out what was checked last; always follows an accepted ``Checked``.
 
     Parameters
     ----------
@@ -83,17 +93,25 @@ class Move:
         Factor of the demonstration's speed.
     pause_before_primitives : bool
         Wait for ``GoOn`` before each primitive (so that slow practice can announce).
+    anew : bool
+        What was checked is the rest of a halted run: nothing is put back, the arm goes on
+        from where it is.
     """
 
     task: Task
     setup: Setup
     speed: float
     pause_before_primitives: bool = False
+    anew: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class GoOn:
-    """Continue after an announcement or a pause; motion is checked anew if `anew`."""
+    """Continue after an announcement, or (`anew`) after a pause or stop.
+
+    With `anew` the rest of the halted run is planned from the measured pose and checked; if it
+    cannot be done, ``Checked`` with a refusal answers and nothing moves.
+    """
 
     anew: bool = False
 

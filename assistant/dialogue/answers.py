@@ -1,0 +1,231 @@
+"""What an answer of the introduction adds to what is known (paper II-A)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
+from assistant.dialogue.naming import (
+    Value,
+    alike,
+    name_and_steps,
+    number_of,
+    steps_in,
+    text_of,
+    things_in,
+    tidy_name,
+)
+from assistant.dialogue.sketch import Sketch, at, counted, names, put, removed, with_parts
+from assistant.dialogue.state import Introducing, Knowledge
+from assistant.dialogue.turn import line
+from assistant.language.actions import mentioned_objects, read_action
+from assistant.language.bodies import read_body
+from assistant.model.robot_acts import RobotAct
+from assistant.model.scene import Body
+from assistant.model.task import Action, Index, TaskObject
+
+
+@dataclass(frozen=True, slots=True)
+class Answered:
+    """What is known now, what the robot says about it, and a question that comes first."""
+
+    known: Knowledge
+    lines: tuple[RobotAct, ...] = ()
+    asks: Introducing | None = None
+
+
+def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
+    """Return what is known after the teacher's answer to the open question."""
+    match state.asked:
+        case "task_name":
+            return _task_name(known, value)
+        case "goal":
+            return Answered(replace(known, goal=tidy_name(text_of(value))))
+        case "objects" if state.index:
+            return _objects_of(known, state.index, value)
+        case "objects":
+            things = things_in(value, known.scene)
+            return Answered(all_understood(replace(known, objects=things)))
+        case "subtask_count":
+            return _count(known, state, value)
+        case "subtask_name":
+            return _names(known, state, value)
+        case "actions":
+            return _action(known, state.index, value)
+        case "which":
+            return _extra(known, state, value)
+        case "body":
+            return _body(known, state.thing, value)
+        case _:
+            return Answered(known, (line("error", "not_an_answer"),))
+
+
+def _task_name(known: Knowledge, value: Value) -> Answered:
+    name, steps = name_and_steps(text_of(value))
+    named = replace(known, name=name, root=replace(known.root, name=name))
+    if not steps or known.root.parts:
+        return Answered(named)
+    root = with_parts(named.root, tuple(Sketch(step) for step in dict.fromkeys(steps)))
+    return Answered(all_understood(replace(named, root=root)))
+
+
+def _count(known: Knowledge, state: Introducing, value: Value) -> Answered:
+    index = state.index
+    count = number_of(value)
+    steps = steps_in(value, 2) if not isinstance(value, int) else ()
+    if state.named and count is not None:
+        return _settled(known, state, count)
+    if len(steps) > 1 or (steps and count is None):
+        return _placed(known, index, steps)
+    if count is None or count < 0 or count > MOST_PARTS:
+        told = line("error", "count", most=MOST_PARTS)
+        return Answered(known, (told,))
+    return Answered(_with_count(known, index, count))
+
+
+def _with_count(known: Knowledge, index: Index, count: int) -> Knowledge:
+    node = at(known.root, index)
+    if not index and count == 0:
+        # A task of one motion is a root with that motion as its only part.
+        alone = with_parts(node, (Sketch(known.name, True),))
+        return all_understood(replace(known, root=alone))
+    after = replace(known, root=put(known.root, index, counted(node, count)))
+    return all_understood(after) if count == 0 else after
+
+
+def _settled(known: Knowledge, state: Introducing, count: int) -> Answered:
+    """Resolve "you said three, you named four" by the number the teacher now says."""
+    if count < len(state.named) and count > 0:
+        return Answered(known, asks=replace(state, asked="which", said=count))
+    placed = _placed(known, state.index, state.named).known
+    missing = min(count, MOST_PARTS) - len(state.named)
+    if missing <= 0:
+        return Answered(placed)
+    node = counted(at(placed.root, state.index), len(state.named) + missing)
+    return Answered(replace(placed, root=put(placed.root, state.index, node)))
+
+
+def _extra(known: Knowledge, state: Introducing, value: Value) -> Answered:
+    text = text_of(value).lower()
+    extra = [name for name in state.named if name.lower() in text or text in name.lower()]
+    if len(extra) != 1:
+        return Answered(known, (line("error", "not_among", names=list(state.named)),), state)
+    left = tuple(name for name in state.named if name != extra[0])
+    if len(left) > state.said:
+        return Answered(known, asks=replace(state, named=left))
+    return _placed(known, state.index, left)
+
+
+def _names(known: Knowledge, state: Introducing, value: Value) -> Answered:
+    parent, position = state.index[:-1], state.index[-1]
+    parts = at(known.root, parent).parts
+    room = len(parts) - position + 1
+    steps = steps_in(value, room)
+    before = tuple(part.name for part in parts[: position - 1])
+    if not steps:
+        return Answered(known, (line("error", "not_an_answer"),))
+    if len(steps) > room:
+        named = (*before, *steps)
+        asks = Introducing("subtask_count", parent, named=named, said=len(parts))
+        return Answered(known, asks=asks)
+    return _placed(known, parent, (*before, *steps), len(parts))
+
+
+def _placed(known: Knowledge, parent: Index, steps: tuple[str, ...], count: int = 0) -> Answered:
+    """Give the parts of a node these names, refusing a name that is taken elsewhere."""
+    node = at(known.root, parent)
+    own = [part.name for part in node.parts]
+    elsewhere = [name for name in names(known.root) if name not in own]
+    taken = _taken(steps, elsewhere)
+    if taken:
+        return Answered(known, (line("error", "name_taken", name=taken),))
+    old = {part.name: part for part in node.parts if part.name}
+    parts = tuple(old.get(step, Sketch(step)) for step in steps)
+    blank = (Sketch(),) * max(0, count - len(parts))
+    after = replace(known, root=put(known.root, parent, with_parts(node, parts + blank)))
+    return Answered(all_understood(after))
+
+
+def _taken(steps: tuple[str, ...], elsewhere: list[str]) -> str:
+    for position, step in enumerate(steps):
+        if alike(step, elsewhere) or alike(step, steps[:position]):
+            return step
+    return ""
+
+
+def _objects_of(known: Knowledge, index: Index, value: Value) -> Answered:
+    node = at(known.root, index)
+    known, mentioned = _mentioned(known, value)
+    if not mentioned or node.action is None:
+        return Answered(known, (line("error", "not_an_answer"),))
+    return Answered(with_action(known, index, replace(node.action, object=mentioned[0])))
+
+
+def _mentioned(known: Knowledge, value: Value) -> tuple[Knowledge, tuple[str, ...]]:
+    """Return the known things an answer mentions; a new thing becomes known."""
+    things = known.objects or ()
+    found = mentioned_objects(text_of(value), things)
+    if found:
+        return known, found
+    new = tuple(thing for thing in things_in(value, known.scene) if thing not in things)
+    return replace(known, objects=(*things, *new)), tuple(thing.name for thing in new)
+
+
+def _action(known: Knowledge, index: Index, value: Value) -> Answered:
+    text = text_of(value)
+    node = at(known.root, index)
+    reading = read_action(text, known.objects or ())
+    if reading.action is None:
+        return Answered(with_action(known, index, _free(text, reading.mentioned)))
+    action = reading.action
+    if not reading.mentioned:
+        named = read_action(node.name, known.objects or ()).mentioned
+        action = replace(action, object=named[-1] if named else action.object)
+    return Answered(with_action(known, index, action))
+
+
+def _free(text: str, mentioned: tuple[str, ...]) -> Action:
+    return Action("free", tidy_name(text), mentioned[0] if mentioned else None)
+
+
+def _body(known: Knowledge, thing: str, value: Value) -> Answered:
+    told = read_body(text_of(value))
+    if told.size_mm is None:
+        return Answered(known, (line("error", "size", thing=thing),))
+    return Answered(with_body(known, thing, told.shape or "box", told.size_mm))
+
+
+def with_body(known: Knowledge, thing: str, shape: str, size_mm: tuple[float, ...]) -> Knowledge:
+    """Return what is known after a thing has got a shape and size.
+
+    It is grasped as the shipped block is: at 60 % of its height, 134.1 mm ahead of the flange.
+    """
+    shapes: Mapping[str, Body] = {
+        "box": Body(thing),
+        "cylinder": Body(thing, "cylinder"),
+        "sphere": Body(thing, "sphere"),
+        "cup": Body(thing, "cup"),
+    }
+    x, y, z = (float(length) for length in size_mm)
+    role = next((one.role for one in known.objects or () if one.name == thing), "object")
+    # A place for another body must leave the hand as high as that body is held.
+    height = 60.0 if role == "target" or z == 0 else 0.6 * z
+    body = replace(
+        shapes[shape],
+        size_mm=(x, y, z),
+        mass_kg=0.0 if role == "target" else 0.2,
+        grasp_xyz_mm=(-134.1, 0.0, height),
+    )
+    return replace(known, scene=replace(known.scene, bodies={**known.scene.bodies, thing: body}))
+
+
+def forgotten(known: Knowledge, thing: str) -> Knowledge:
+    """Return what is known without a thing of the task."""
+    left: tuple[TaskObject, ...] = tuple(one for one in known.objects or () if one.name != thing)
+    return replace(known, objects=left)
+
+
+def without_part(known: Knowledge, index: Index) -> Knowledge:
+    """Return what is known without a node."""
+    return replace(known, root=removed(known.root, index))

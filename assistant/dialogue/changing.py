@@ -1,0 +1,231 @@
+"""Corrections are kept, adjusted, taken back and brought again; the robot says what it changed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from assistant.dialogue.asking import ask, index_of, tell
+from assistant.dialogue.correcting import (
+    SPEEDS,
+    Correction,
+    Place,
+    adjusted,
+    amount,
+    feedback_from,
+    plain_feedback,
+    size,
+    speed_of,
+    too_much,
+)
+from assistant.dialogue.directions import depends_on_facing
+from assistant.dialogue.effects import Jog, SetHand
+from assistant.dialogue.going_back import resettled
+from assistant.dialogue.state import Change, Dialogue, Knowledge, Pending, Ran, Ready, Running
+from assistant.dialogue.structure import find, name_at, unclear
+from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.model import teacher_acts as acts
+from assistant.model.feedback import Feedback
+from assistant.model.robot_acts import About, RobotAct
+from assistant.model.task import primitives
+
+SHOWN_M = 0.010
+"""The small announced move that shows where the robot takes left to be."""
+
+
+def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, sure: bool) -> Turn:
+    """Take a spoken correction; what is large, or heard as a number, is read back first."""
+    if isinstance(act, acts.Gripper) and act.where is None:
+        at_rest = dialogue.arm not in ("moving", "checking")
+        if at_rest:
+            return _hand(dialogue, act, sure=sure)
+    if dialogue.known.lesson is None:
+        return tell(dialogue, line("error", "nothing_to_correct"))
+    place = _place(dialogue, act)
+    if place is None:
+        return unclear(dialogue, act.where.subtask if act.where else "")
+    if not sure and too_much(act, by_voice=by_voice):
+        return _read_back(dialogue, act, words)
+    if _facing_open(dialogue, act):
+        question = line("ask", "facing", asked="facing")
+        pending = Pending("facing", question, (act,), words)
+        return ask(replace(dialogue, pending=pending))
+    return add(dialogue, feedback_from(dialogue.known, act, words, place))
+
+
+def _facing_open(dialogue: Dialogue, act: Correction) -> bool:
+    if dialogue.known.facing is not None:
+        return False
+    if isinstance(act, acts.Translate):
+        return depends_on_facing("translate", act.direction)
+    return isinstance(act, acts.Rotate) and depends_on_facing("rotate", act.direction)
+
+
+def _read_back(dialogue: Dialogue, act: Correction, words: str) -> Turn:
+    told = acts.act_to_json(act)
+    question = line("confirm", "large", asked="did_you_mean", acts=[told], amount=amount(act))
+    pending = Pending("did_you_mean", question, (act,), words)
+    return ask(replace(dialogue, pending=pending))
+
+
+def _place(dialogue: Dialogue, act: Correction) -> Place | None:
+    """Return where a correction belongs: as said, else what is being done, else the end."""
+    if act.where is not None:
+        index = find(dialogue.known, act.where.subtask)
+        if index is None:
+            return None
+        return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
+    run = dialogue.run
+    leaves = primitives(dialogue.known.task.tree)
+    going = isinstance(dialogue.state, Running) and run is not None
+    if going and run is not None and 0 <= run.primitive_at < len(leaves):
+        if isinstance(act, acts.AdjustSpeed):
+            return Place()
+        return Place(leaves[run.primitive_at].name)
+    return Place()
+
+
+def _leaf_under(dialogue: Dialogue, name: str) -> str:
+    """Return the last primitive of a node, where its goal is reached; a primitive is itself."""
+    index = index_of(dialogue.known, name)
+    node = dialogue.known.root
+    for position in index:
+        node = node.parts[position - 1]
+    while node.parts:
+        node = node.parts[-1]
+    return node.name
+
+
+def _hand(dialogue: Dialogue, act: acts.Gripper, *, sure: bool) -> Turn:
+    """Open or close the hand at rest; letting go of something above a surface is confirmed."""
+    run = dialogue.run
+    held = run.held if run is not None and isinstance(dialogue.state, Running) else ""
+    if act.command == "open" and held and not sure:
+        height = run.height_mm if run is not None else None
+        topic = "open_above" if height is not None else "open_holding"
+        slots: dict[str, Any] = {"object": held}
+        if height is not None:
+            slots["height_mm"] = round(height)
+        question = line("confirm", topic, asked="did_you_mean", **slots)
+        return ask(replace(dialogue, pending=Pending("did_you_mean", question, (act,))))
+    after = dialogue
+    if run is not None and act.command == "open":
+        after = replace(dialogue, run=replace(run, held=""))
+    return then(say(after, line("done", f"hand_{act.command}")), SetHand(act.command))
+
+
+def add(dialogue: Dialogue, feedback: Feedback, *, instead: bool = False) -> Turn:
+    """Keep a correction, on top of the others or instead of the last one, and tell it."""
+    lesson = dialogue.known.lesson
+    if lesson is None:
+        return tell(dialogue, line("error", "nothing_to_correct"))
+    given = lesson.feedback[:-1] if instead else lesson.feedback
+    known = replace(dialogue.known, lesson=replace(lesson, feedback=(*given, feedback)))
+    told_speed = speed_of(known)
+    if feedback.kind == "speed" and not SPEEDS[0] <= told_speed <= SPEEDS[1]:
+        least, most = (round(100 * one) for one in SPEEDS)
+        return tell(dialogue, line("refuse", "speed_bounds", least=least, most=most))
+    after = corrected(changed(dialogue, "correction", known))
+    return _told(after, told(known, feedback))
+
+
+def corrected(dialogue: Dialogue) -> Dialogue:
+    """Return the dialogue with its run marked as corrected."""
+    run = dialogue.run
+    return replace(dialogue, run=replace(run, corrected=True) if run is not None else None)
+
+
+def told(known: Knowledge, feedback: Feedback) -> RobotAct:
+    """Return the line that says what was changed, in mm, degrees or percent."""
+    primitive = feedback.primitive
+    about = About(primitive, index_of(known, primitive)) if primitive else None
+    slots = plain_feedback(feedback) | {"speed": round(100.0 * speed_of(known))}
+    slots["size"] = round(abs(size(feedback)), 1)
+    topic: str = feedback.kind
+    if topic == "speed":
+        topic = "faster" if feedback.factor > 1 else "slower"
+        topic = f"{topic}_at" if primitive else topic
+    elif topic == "hand":
+        topic = f"hand_at_{feedback.hand}"
+    elif not feedback.frame:
+        topic = f"{topic}_world"
+    return line("done", topic, about=about, **slots)
+
+
+def _told(dialogue: Dialogue, said: RobotAct) -> Turn:
+    if dialogue.arm in ("moving", "checking"):
+        return say(dialogue, said, line("told", "next_time"))
+    if isinstance(dialogue.state, Running):
+        return say(dialogue, said)
+    if isinstance(dialogue.state, Ran):
+        return tell(replace(dialogue, state=Ready()), said)
+    return tell(dialogue, said)
+
+
+def adjust_last(dialogue: Dialogue, act: acts.AdjustLast, words: str) -> Turn:
+    """Change the last correction: more, less, half of it, the other way."""
+    lesson = dialogue.known.lesson
+    if lesson is None or not lesson.feedback:
+        return tell(dialogue, line("error", "no_correction"))
+    last = lesson.feedback[-1]
+    if last.kind == "hand":
+        return tell(dialogue, line("error", "no_correction"))
+    feedback, instead = adjusted(last, act)
+    return add(dialogue, replace(feedback, words=words or last.words), instead=instead)
+
+
+def undo(dialogue: Dialogue) -> Turn:
+    """Take the last change back."""
+    if not dialogue.past:
+        return tell(dialogue, line("error", "nothing_to_undo"))
+    change = dialogue.past[-1]
+    future = (*dialogue.future, Change(dialogue.known, change.label))
+    return _turned_to(dialogue, change, dialogue.past[:-1], future, "undone")
+
+
+def redo(dialogue: Dialogue) -> Turn:
+    """Bring back what was taken back."""
+    if not dialogue.future:
+        return tell(dialogue, line("error", "nothing_to_redo"))
+    change = dialogue.future[-1]
+    past = (*dialogue.past, Change(dialogue.known, change.label))
+    return _turned_to(dialogue, change, past, dialogue.future[:-1], "redone")
+
+
+def _turned_to(
+    dialogue: Dialogue,
+    change: Change,
+    past: tuple[Change, ...],
+    future: tuple[Change, ...],
+    topic: str,
+) -> Turn:
+    before = dialogue.known
+    small = change.label in ("correction", "facing")
+    if dialogue.arm in ("moving", "checking") and not small:
+        return say(dialogue, line("error", "while_moving"))
+    after = replace(
+        dialogue,
+        known=change.known,
+        past=past,
+        future=future,
+        clean=(),
+        agreed=False,
+        unsaved=True,
+        pending=None,
+    )
+    said = line("done", topic, what=change.label)
+    if small:
+        return _told(corrected(after), said)
+    return resettled(before, after, said)
+
+
+def shown_left(dialogue: Dialogue) -> Turn:
+    """Show by a small move where left is taken to be, if the arm has not run yet."""
+    known = dialogue.known
+    if not isinstance(dialogue.state, Ready) or dialogue.runs or known.facing is None:
+        return dialogue, ()
+    left = -SHOWN_M if known.facing == "facing" else SHOWN_M
+    return then(say(dialogue, line("announce", "left_shown")), Jog((0.0, left, 0.0)))
+
+
+__all__ = ["add", "adjust_last", "correct", "first", "redo", "shown_left", "undo"]

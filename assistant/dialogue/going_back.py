@@ -1,0 +1,66 @@
+"""Back to an earlier stage, or to an earlier state of knowledge, with everything kept."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue import introduction
+from assistant.dialogue.asking import ask, introduced, proceed, tell
+from assistant.dialogue.effects import Effect, Halt
+from assistant.dialogue.keeping import arrange_if_changed
+from assistant.dialogue.reviewing import read_back
+from assistant.dialogue.state import (
+    AwaitingShow,
+    Dialogue,
+    Introducing,
+    Knowledge,
+    Ready,
+    Reviewing,
+)
+from assistant.dialogue.turn import Turn, first, line, say
+from assistant.model.robot_acts import RobotAct
+from assistant.model.teacher_acts import Stage
+
+
+def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
+    """Return to a stage; nothing that was taught is lost."""
+    halting: tuple[Effect, ...] = ()
+    if dialogue.arm in ("moving", "checking", "paused"):
+        halting = (Halt("stop"),)
+    still = replace(dialogue, arm="rest", pending=None)
+    known = dialogue.known
+    missing = introduction.need(replace(known, tree_confirmed=True))
+    if stage == "introduction":
+        again = replace(still, known=replace(known, tree_confirmed=False))
+        return first(halting, proceed(replace(again, state=Introducing("confirm_tree"))))
+    if missing is not None:
+        told = line("error", "not_introduced")
+        return first(halting, first(say(still, told)[1], ask(replace(still, state=missing))))
+    confirmed = replace(still, known=replace(known, tree_confirmed=True))
+    if stage == "demonstration":
+        return first(halting, ask(replace(confirmed, state=AwaitingShow())))
+    if known.lesson is None:
+        told = line("error", "nothing_learned")
+        return first(halting, tell(replace(confirmed, state=AwaitingShow()), told))
+    if stage == "learning":
+        reviewing = replace(confirmed, state=Reviewing())
+        return first(halting, tell(reviewing, read_back(known)))
+    return first(halting, ask(replace(confirmed, state=Ready())))
+
+
+def resettled(before: Knowledge, dialogue: Dialogue, said: RobotAct) -> Turn:
+    """Go where knowledge that was taken back or brought again belongs."""
+    known = dialogue.known
+    moved = arrange_if_changed(before, dialogue)[1]
+    told = (*say(dialogue, said)[1], *moved)
+    state = introduction.need(known)
+    if isinstance(dialogue.state, Introducing) or state is not None:
+        going = replace(dialogue, state=Introducing("confirm_tree"), arm="rest")
+        return first(told, proceed(going))
+    if known.lesson is None:
+        return first(told, ask(replace(dialogue, state=AwaitingShow(), arm="rest")))
+    if isinstance(dialogue.state, AwaitingShow) or not known.reviewed:
+        return first(told, introduced(replace(dialogue, arm="rest")))
+    if isinstance(dialogue.state, Reviewing):
+        return first(told, introduced(dialogue))
+    return first(told, ask(dialogue))

@@ -1,0 +1,429 @@
+"""What is done with the teacher's words: safety first, then doubt, then meaning."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+from assistant.dialogue import keeping, practicing, reviewing, showing, structure
+from assistant.dialogue.answers import answer
+from assistant.dialogue.asking import ask, introduced, proceed, question, stage, tell
+from assistant.dialogue.changing import adjust_last, correct, redo, undo
+from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.events import Heard
+from assistant.dialogue.explaining import explain, show
+from assistant.dialogue.going_back import go_back
+from assistant.dialogue.naming import Value
+from assistant.dialogue.placing import set_pose
+from assistant.dialogue.state import (
+    AwaitingShow,
+    Closed,
+    Dialogue,
+    Introducing,
+    Opening,
+    Pending,
+    Ran,
+    Ready,
+    Reviewing,
+    Running,
+    Thinking,
+    Watching,
+)
+from assistant.dialogue.turn import Turn, changed, first, line, say
+from assistant.language.hints import matter
+from assistant.model import teacher_acts as acts
+from assistant.model.robot_acts import RobotAct
+from assistant.model.settings import SafetySettings
+from assistant.model.teacher_acts import act_to_json
+
+SAFETY = SafetySettings()
+_LAST = (acts.NewSetup, acts.Start, acts.Resume, acts.Again, acts.Quit)
+_WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.AdjustSpeed)
+"""Acts whose words answer a question for a name or an action: "move up" is a name there."""
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """How something was said.
+
+    Parameters
+    ----------
+    text : str
+    by_voice : bool
+    sure : bool
+        The teacher has confirmed it.
+    """
+
+    text: str
+    by_voice: bool = False
+    sure: bool = False
+
+
+def hear(dialogue: Dialogue, event: Heard) -> Turn:
+    """Answer an utterance."""
+    if isinstance(dialogue.state, Opening | Closed):
+        return dialogue, ()
+    meant = _in_order(event.understanding.acts)
+    words = Words(event.text.strip(), event.by_voice)
+    if any(isinstance(act, acts.Stop) for act in meant):
+        return _stop(dialogue)
+    if event.understanding.confidence < SAFETY.act_confidence:
+        return _doubted(dialogue, meant, words)
+    return one_question(act_on_all(dialogue, meant, words))
+
+
+def _in_order(meant: Iterable[acts.TeacherAct]) -> tuple[acts.TeacherAct, ...]:
+    """Return the acts with those that start motion, or end the session, at the end."""
+    return tuple(sorted(meant, key=lambda act: isinstance(act, _LAST)))
+
+
+def _stop(dialogue: Dialogue) -> Turn:
+    if isinstance(dialogue.state, Watching):
+        return showing.while_watching(dialogue, acts.Stop())
+    return practicing.stop(replace(dialogue, pending=None))
+
+
+def one_question(turn: Turn) -> Turn:
+    """Return the turn with only its last question; several would not be heard."""
+    asks = [at for at, effect in enumerate(turn[1]) if _is_question(effect)]
+    kept = [effect for at, effect in enumerate(turn[1]) if at not in asks[:-1]]
+    return turn[0], tuple(kept)
+
+
+def _is_question(effect: Effect) -> bool:
+    return isinstance(effect, Say) and effect.line.act in ("ask", "confirm")
+
+
+def act_on_all(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn:
+    """Do several acts in turn; what comes after a question waits for its answer."""
+    effects: tuple[Effect, ...] = ()
+    for at, act in enumerate(meant):
+        before = dialogue.pending
+        dialogue, more = act_on(dialogue, act, words)
+        effects = (*effects, *more)
+        waiting = dialogue.pending
+        if waiting is not None and waiting is not before and meant[at + 1 :]:
+            rest = (*waiting.acts, *meant[at + 1 :])
+            return replace(dialogue, pending=replace(waiting, acts=rest)), effects
+    return dialogue, effects
+
+
+def _doubted(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn:
+    """Read back the best guess and ask; never act on it."""
+    if isinstance(dialogue.state, Watching) and not _ends(meant):
+        return dialogue, ()
+    if all(isinstance(act, acts.Unknown) for act in meant) or dialogue.misses:
+        return misunderstood(dialogue)
+    told = [act_to_json(act) for act in meant]
+    guess = line("confirm", "did_you_mean", asked="did_you_mean", acts=told)
+    doubting = replace(
+        dialogue, misses=1, pending=Pending("did_you_mean", guess, meant, words.text)
+    )
+    return ask(doubting)
+
+
+def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:
+    return any(isinstance(act, acts.Approve | acts.Affirm) for act in meant)
+
+
+def misunderstood(dialogue: Dialogue) -> Turn:
+    """Tell that nothing was understood; the second time also what can be said now."""
+    if isinstance(dialogue.state, Watching):
+        return dialogue, ()
+    missed = replace(dialogue, misses=dialogue.misses + 1)
+    if dialogue.misses == 0:
+        return tell(missed, line("error", "not_understood"))
+    return tell(missed, line("error", "not_understood_again"), help_line(dialogue))
+
+
+def help_line(dialogue: Dialogue) -> RobotAct:
+    """Return what can be said now."""
+    asked = question(dialogue)
+    topic: str = dialogue.arm
+    if dialogue.arm in ("moving", "paused", "stopped", "checking"):
+        return line("help", topic)
+    if isinstance(dialogue.state, Watching):
+        topic = "watching"
+    else:
+        topic = asked.asked if asked is not None and asked.asked else stage(dialogue)
+    return line("help", topic)
+
+
+def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
+    """Do one act: what works everywhere first, then what the state makes of it."""
+    if isinstance(act, acts.Unknown):
+        return misunderstood(dialogue)
+    heard = replace(dialogue, misses=0)
+    anywhere = _anywhere(heard, act, words)
+    if anywhere is not None:
+        return anywhere
+    if isinstance(dialogue.state, Watching):
+        return showing.while_watching(heard, act)
+    if dialogue.pending is not None:
+        answered = _answer_pending(heard, act, words)
+        if answered is not None:
+            return answered
+        heard = replace(heard, pending=None)
+    return _general(heard, act, words) or _in_state(heard, act, words)
+
+
+def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
+    """Answer what may be said in every state and changes nothing that is taught."""
+    match act:
+        case acts.Help():
+            return tell(dialogue, help_line(dialogue))
+        case acts.RepeatLine():
+            return say(dialogue, *dialogue.said) if dialogue.said else ask(dialogue)
+        case acts.Explain():
+            return explain(dialogue, act)
+        case acts.Show():
+            return show(dialogue, act)
+        case acts.BeBrief() | acts.BeThorough():
+            brief = isinstance(act, acts.BeBrief)
+            topic = "brief" if brief else "thorough"
+            return tell(replace(dialogue, brief=brief), line("told", topic))
+        case acts.Stop():
+            return _stop(dialogue)
+        case acts.Quit() if not isinstance(dialogue.state, Watching) and not _leaving(dialogue):
+            return keeping.leave_wanted(dialogue)
+        case _:
+            return None
+
+
+def _leaving(dialogue: Dialogue) -> bool:
+    return dialogue.pending is not None and dialogue.pending.leave
+
+
+def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
+    """Answer a question in between; None if the teacher went on to something else."""
+    pending = dialogue.pending
+    if pending is None:
+        return None
+    if pending.asked == "unsaved":
+        return keeping.answer_unsaved(dialogue, act)
+    free = replace(dialogue, pending=None)
+    if pending.asked == "facing":
+        return _faced(free, pending, act, words)
+    confirmed = Words(pending.words or words.text, words.by_voice, sure=True)
+    match act:
+        case acts.Affirm() | acts.Approve() | acts.Start():
+            return act_on_all(free, pending.acts, confirmed)
+        case acts.Deny() if pending.asked == "did_you_mean":
+            return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
+        case acts.Deny():
+            return tell(free, line("told", "as_it_was"))
+        case _:
+            return None
+
+
+def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Words) -> Turn:
+    """Take where the teacher stands; whoever does not say stands as the robot looks."""
+    text = words.text if not isinstance(act, acts.Inform) else str(act.value)
+    told = matter(text, "facing")
+    facing = "facing" if told == "facing" else "own"
+    known = replace(dialogue.known, facing="facing" if facing == "facing" else "own")
+    standing = changed(dialogue, "facing", known, clean=dialogue.clean)
+    waiting = Words(pending.words, words.by_voice, sure=words.sure)
+    said = say(standing, line("told", f"facing_{facing}"))[1]
+    done = first(said, act_on_all(standing, pending.acts, waiting))
+    if told or isinstance(act, acts.Inform | acts.Affirm | acts.Deny):
+        return done
+    return first(done[1], act_on(done[0], act, words))
+
+
+def _general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
+    """Do what means the same in every state."""
+    if _answers_by_words(dialogue, act):
+        return None
+    match act:
+        case acts.Undo():
+            return undo(dialogue)
+        case acts.Redo():
+            return redo(dialogue)
+        case acts.GoBack(where):
+            return go_back(dialogue, where)
+        case acts.Save(name):
+            return keeping.save(dialogue, name)
+        case acts.Load(name):
+            return keeping.load(dialogue, name)
+        case acts.Compare(name):
+            return keeping.load(dialogue, name, comparing=True)
+        case acts.Pause():
+            return practicing.pause(dialogue)
+        case acts.SetPose():
+            sure = words.sure or not words.by_voice
+            return set_pose(dialogue, act, words.text, sure=sure)
+        case acts.NewSetup():
+            return practicing.new_setup(dialogue)
+        case (
+            acts.Rename()
+            | acts.Optional()
+            | acts.Required()
+            | acts.Unordered()
+            | acts.Ordered()
+            | acts.AddSubtask()
+            | acts.RemoveSubtask()
+            | acts.Merge()
+            | acts.Split()
+        ):
+            return structure.edit(dialogue, act)
+        case acts.MoveCut() | acts.Assign():
+            return _recut(dialogue, act)
+        case acts.Translate() | acts.Rotate() | acts.AdjustSpeed() | acts.Gripper():
+            return correct(dialogue, act, words.text, by_voice=words.by_voice, sure=words.sure)
+        case acts.AdjustLast():
+            return adjust_last(dialogue, act, words.text)
+        case _:
+            return None
+
+
+def _recut(dialogue: Dialogue, act: acts.MoveCut | acts.Assign) -> Turn:
+    if dialogue.arm in ("moving", "checking"):
+        return say(dialogue, line("error", "while_moving"))
+    if dialogue.known.lesson is None:
+        return tell(dialogue, line("error", "nothing_learned"))
+    index = structure.find(dialogue.known, act.subtask)
+    if index is None:
+        return structure.unclear(dialogue, act.subtask)
+    name = structure.name_at(dialogue.known, index)
+    at_rest = replace(dialogue, arm="rest")
+    if isinstance(act, acts.MoveCut):
+        return reviewing.move_cut(at_rest, replace(act, subtask=name))
+    return reviewing.assign(at_rest, act, name)
+
+
+def _answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
+    state = dialogue.state
+    if not isinstance(state, Introducing) or not isinstance(act, _WORDS_COUNT):
+        return False
+    if isinstance(act, acts.AddSubtask):
+        return state.asked == "subtask_name" and act.after is None and act.before is None
+    return state.asked in ("subtask_name", "actions")
+
+
+def _in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
+    """Answer what depends on the state."""
+    match dialogue.state:
+        case Introducing() as state:
+            return _introducing(dialogue, state, act, words)
+        case AwaitingShow():
+            return _awaiting(dialogue, act)
+        case Reviewing() as state:
+            return reviewing.review(dialogue, state, act)
+        case Ready() | Running() | Ran():
+            return _practicing(dialogue, act)
+        case Thinking():
+            return say(dialogue, line("told", "thinking"))
+        case _:
+            return dialogue, ()
+
+
+def _introducing(
+    dialogue: Dialogue, state: Introducing, act: acts.TeacherAct, words: Words
+) -> Turn:
+    value = _value(state, act, words)
+    if value is not None:
+        return _answered(dialogue, state, value)
+    match act:
+        case acts.Affirm() | acts.Approve() | acts.Start() if state.asked == "confirm_tree":
+            return introduced(_confirmed(dialogue))
+        case acts.Affirm() | acts.Approve() if state.named and state.asked == "subtask_count":
+            return _answered(dialogue, state, len(state.named))
+        case acts.Deny() if state.asked == "confirm_tree":
+            return say(dialogue, line("told", "change_tree"))
+        case acts.Deny():
+            return _none(dialogue, state)
+        case acts.Again() | acts.Start() | acts.Resume():
+            return tell(dialogue, line("error", "not_introduced"))
+        case _:
+            return tell(dialogue, line("error", "not_an_answer"))
+
+
+def _confirmed(dialogue: Dialogue) -> Dialogue:
+    known = replace(dialogue.known, tree_confirmed=True)
+    return changed(dialogue, "confirmed", known, clean=dialogue.clean)
+
+
+def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | None:
+    """Return what an act answers to the open question, if it does."""
+    if state.asked in ("confirm_tree", "pose"):
+        return None
+    if isinstance(act, acts.Inform):
+        return act.value
+    if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
+        return act.name
+    if isinstance(act, _WORDS_COUNT) and state.asked in ("subtask_name", "actions"):
+        return words.text
+    return None
+
+
+def _answered(dialogue: Dialogue, state: Introducing, value: Value) -> Turn:
+    found = answer(dialogue.known, state, value)
+    after = changed(dialogue, state.asked, found.known, clean=dialogue.clean)
+    said = say(after, *found.lines)[1]
+    if found.asks is not None:
+        return first(said, ask(replace(after, state=found.asks)))
+    return first(said, proceed(after))
+
+
+def _none(dialogue: Dialogue, state: Introducing) -> Turn:
+    """Take "no", "none" or "I do not know" as an answer where it is one."""
+    known = dialogue.known
+    match state.asked:
+        case "goal":
+            return proceed(changed(dialogue, "goal", replace(known, goal="")))
+        case "objects" if not state.index:
+            return proceed(changed(dialogue, "objects", replace(known, objects=())))
+        case "subtask_count" if not state.named:
+            return _answered(dialogue, state, 0)
+        case "actions":
+            return _answered(dialogue, state, structure.name_at(known, state.index))
+        case "pose":
+            left = replace(known, unplaced=(*known.unplaced, state.thing))
+            return proceed(changed(dialogue, "pose", left))
+        case _:
+            return tell(dialogue, line("told", "need_to_know"))
+
+
+def _awaiting(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
+    match act:
+        case acts.Start() | acts.Affirm() | acts.Resume() | acts.Again():
+            return showing.watch(dialogue)
+        case acts.Cue():
+            return showing.watch(dialogue)
+        case acts.Approve() if dialogue.known.demonstrations:
+            return introduced(dialogue)
+        case acts.Approve():
+            return showing.watch(dialogue)
+        case acts.Deny():
+            return say(dialogue, line("told", "take_your_time"))
+        case _:
+            return tell(dialogue, line("error", "not_now"))
+
+
+def _practicing(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
+    halted = isinstance(dialogue.state, Running) and dialogue.arm in ("paused", "stopped")
+    match act:
+        case acts.Start():
+            return practicing.start(dialogue)
+        case acts.Resume():
+            return practicing.resume(dialogue)
+        case acts.Again():
+            return practicing.again(dialogue)
+        case acts.Approve():
+            return practicing.satisfied(dialogue)
+        case acts.Affirm() if isinstance(dialogue.state, Ran):
+            return practicing.satisfied(dialogue)
+        case acts.Affirm() if isinstance(dialogue.state, Ready):
+            return practicing.start(dialogue)
+        case acts.Deny() if isinstance(dialogue.state, Ran):
+            unclean = replace(dialogue, clean=())
+            return say(unclean, line("told", "what_to_change"))
+        case acts.Deny() if isinstance(dialogue.state, Ready):
+            return say(dialogue, line("told", "take_your_time"))
+        case _ if halted:
+            return say(dialogue, line("told", "say_start"))
+        case acts.Affirm() | acts.Deny() | acts.Cue() | acts.KeyState():
+            return dialogue, ()
+        case _:
+            return tell(dialogue, line("error", "not_now"))

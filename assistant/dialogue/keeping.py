@@ -1,0 +1,172 @@
+"""Saving, loading, comparing, leaving: nothing learned is lost without a question."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from assistant.dialogue import introduction
+from assistant.dialogue.asking import ask, introduced, tell
+from assistant.dialogue.correcting import plain_feedback
+from assistant.dialogue.effects import Arrange, Halt, Keep, Leave, Load
+from assistant.dialogue.events import Kept, Loaded
+from assistant.dialogue.sketch import from_tree, names
+from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge, Pending
+from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.model import teacher_acts as acts
+from assistant.model.robot_acts import About
+from assistant.model.task import Task
+
+
+def save(dialogue: Dialogue, name: str | None) -> Turn:
+    """Keep the task; ask before another task of that name is overwritten."""
+    known = dialogue.known
+    wanted = name or dialogue.saved_as or known.name
+    if not wanted:
+        return tell(dialogue, line("error", "nothing_to_save"))
+    if wanted in dialogue.saved and wanted != dialogue.saved_as:
+        question = line("confirm", "overwrite", asked="unsaved", name=wanted)
+        pending = Pending("unsaved", question, keep_name=wanted, leave=dialogue.leaving)
+        return ask(replace(dialogue, pending=pending))
+    return dialogue, (Keep(known.task, wanted, overwrite=wanted in dialogue.saved),)
+
+
+def kept(dialogue: Dialogue, event: Kept) -> Turn:
+    """Tell that the task is saved, or why it is not."""
+    if event.why_not:
+        told = line("error", "not_saved", name=event.name, reason=event.why_not)
+        return tell(replace(dialogue, leaving=False, pending=None), told)
+    saved = tuple(dict.fromkeys((*dialogue.saved, event.name)))
+    after = replace(dialogue, saved=saved, saved_as=event.name, unsaved=False)
+    told = line("done", "saved", about=About(after.known.name), name=event.name)
+    if after.leaving:
+        return first(say(after, told)[1], leave(after))
+    return tell(after, told)
+
+
+def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Turn:
+    """Read a kept task; without a name tell which there are."""
+    if dialogue.arm in ("moving", "checking"):
+        return say(dialogue, line("error", "while_moving"))
+    if not dialogue.saved:
+        return tell(dialogue, line("error", "nothing_saved"))
+    found = [one for one in dialogue.saved if name and one.lower() == name.lower()]
+    if len(dialogue.saved) == 1 and name is None:
+        found = [dialogue.saved[0]]
+    if not found:
+        told = line("error", "no_such_task", name=name or "", names=list(dialogue.saved))
+        return tell(dialogue, told)
+    return replace(dialogue, comparing=comparing), (Load(found[0]),)
+
+
+def loaded(dialogue: Dialogue, event: Loaded) -> Turn:
+    """Go on with a task that was read, or compare it with the present one."""
+    at_rest = replace(dialogue, comparing=False)
+    if event.task is None:
+        told = line("error", "not_loaded", name=event.name, reason=event.why_not)
+        return tell(at_rest, told)
+    if dialogue.comparing:
+        return tell(at_rest, comparison(dialogue.known, event.name, event.task))
+    known = taken_up(dialogue.known, event.task)
+    after = changed(at_rest, "loaded", known)
+    fresh = replace(after, saved_as=event.name, unsaved=False, pace="normal", pending=None)
+    told = line("done", "loaded", about=About(known.name), name=event.name)
+    return first(say(fresh, told)[1], resumed(fresh))
+
+
+def taken_up(known: Knowledge, task: Task) -> Knowledge:
+    """Return what is known once a task is taken from a file."""
+    root = replace(from_tree(task.tree), name=task.tree.name or task.name)
+    return replace(
+        known,
+        name=task.name,
+        goal=task.goal,
+        objects=task.objects,
+        root=root,
+        tree_confirmed=bool(root.parts),
+        demonstrations=(),
+        cuts_s=None,
+        assigned=(),
+        lesson=task.learned,
+        learned_root=root if task.learned is not None else None,
+        reviewed=task.learned is not None,
+    )
+
+
+def resumed(dialogue: Dialogue) -> Turn:
+    """Ask what is open for a task that was taken up."""
+    state = introduction.need(dialogue.known)
+    if state is not None:
+        return ask(replace(dialogue, state=state, arm="rest"))
+    return introduced(replace(dialogue, arm="rest"))
+
+
+def comparison(known: Knowledge, name: str, other: Task) -> Any:
+    """Return the line that tells how the present task differs from a kept one."""
+    here, there = names(known.root), names(from_tree(other.tree))
+    mine = [plain_feedback(one) for one in known.lesson.feedback] if known.lesson else []
+    theirs = [plain_feedback(one) for one in other.learned.feedback] if other.learned else []
+    added = [step for step in here if step not in there]
+    removed = [step for step in there if step not in here]
+    topic = "comparison" if added or removed or mine != theirs else "comparison_same"
+    return line(
+        "told",
+        topic,
+        name=name,
+        added=added,
+        removed=removed,
+        corrections=len([one for one in mine if one not in theirs]),
+        fewer=len([one for one in theirs if one not in mine]),
+    )
+
+
+def leave_wanted(dialogue: Dialogue) -> Turn:
+    """End the session; with unsaved work only after a question."""
+    halting = (Halt("stop"),) if dialogue.arm in ("moving", "checking", "paused") else ()
+    still = replace(dialogue, arm="stopped" if halting else dialogue.arm)
+    if not (still.unsaved and still.known.name):
+        return first(halting, leave(still))
+    question = line("ask", "unsaved", asked="unsaved", name=still.saved_as or still.known.name)
+    return first(halting, ask(replace(still, pending=Pending("unsaved", question, leave=True))))
+
+
+def leave(dialogue: Dialogue) -> Turn:
+    """Say goodbye and end the session."""
+    closed = replace(dialogue, state=Closed(), pending=None, leaving=False)
+    return then(say(closed, line("told", "goodbye")), Leave())
+
+
+def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
+    """Answer "save it first?" or "overwrite it?"; None if this was no answer to it."""
+    pending = dialogue.pending
+    if pending is None:
+        return None
+    free = replace(dialogue, pending=None, leaving=pending.leave)
+    match act:
+        case acts.Affirm() | acts.Approve() if pending.keep_name:
+            return free, (Keep(free.known.task, pending.keep_name, overwrite=True),)
+        case acts.Affirm() | acts.Approve():
+            return save(free, None)
+        case acts.Save(name):
+            return save(free, name or pending.keep_name or None)
+        case acts.Inform(value) if pending.keep_name and isinstance(value, str):
+            return save(free, value)
+        case acts.Deny() | acts.Quit() if pending.leave and not pending.keep_name:
+            return leave(free)
+        case acts.Deny():
+            return tell(replace(free, leaving=False), line("told", "not_saved"))
+        case _:
+            return None
+
+
+def arrange_if_changed(before: Knowledge, dialogue: Dialogue) -> Turn:
+    """Put things where they are now known to be, if that is elsewhere than before."""
+    known = dialogue.known
+    if (known.setup, known.scene) == (before.setup, before.scene):
+        return dialogue, ()
+    return dialogue, (Arrange(known.setup, known.scene),)
+
+
+def is_introducing(dialogue: Dialogue) -> bool:
+    """Whether the task is still being introduced."""
+    return isinstance(dialogue.state, Introducing)

@@ -1,0 +1,112 @@
+"""The dialogue as a pure state machine: ``step(dialogue, event) -> (dialogue, effects)``.
+
+It sees no clock, file, screen or robot and does no long work; the session carries out the
+effects and brings their results back as events (design, three ideas).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import assert_never
+
+from assistant.dialogue import practicing, reviewing, showing
+from assistant.dialogue.asking import ask, question, stage
+from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.events import (
+    ArmReported,
+    Arranged,
+    Begun,
+    Checked,
+    Event,
+    Halted,
+    Heard,
+    Kept,
+    Learned,
+    Loaded,
+    Shown,
+    Ticked,
+)
+from assistant.dialogue.hearing import hear
+from assistant.dialogue.introduction import need
+from assistant.dialogue.keeping import kept, loaded, resumed, taken_up
+from assistant.dialogue.sketch import names
+from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
+from assistant.dialogue.turn import Turn, first, line, say
+from assistant.dialogue.view import public_view
+from assistant.model.listening import Listening
+from assistant.model.robot_acts import About
+
+
+def begin() -> Dialogue:
+    """Return the dialogue before anything happened."""
+    return Dialogue()
+
+
+def step(dialogue: Dialogue, event: Event) -> tuple[Dialogue, tuple[Effect, ...]]:
+    """Return the dialogue after an event, and what is to be done, in this order."""
+    if isinstance(dialogue.state, Closed):
+        return dialogue, ()
+    after, effects = _answer(dialogue, event)
+    lines = tuple(effect.line for effect in effects if isinstance(effect, Say))
+    return (replace(after, said=lines) if lines else after), effects
+
+
+def _answer(dialogue: Dialogue, event: Event) -> Turn:
+    match event:
+        case Begun():
+            return _begun(dialogue, event)
+        case Heard():
+            return hear(dialogue, event)
+        case Shown():
+            return showing.shown(dialogue, event)
+        case Learned():
+            return reviewing.learned(dialogue, event)
+        case Checked():
+            return practicing.checked(dialogue, event)
+        case ArmReported(report):
+            return practicing.reported(dialogue, report)
+        case Halted():
+            return practicing.halted(dialogue, event)
+        case Arranged():
+            return practicing.arranged(dialogue, event)
+        case Kept():
+            return kept(dialogue, event)
+        case Loaded():
+            return loaded(dialogue, event)
+        case Ticked():
+            return dialogue, ()
+        case _:
+            assert_never(event)
+
+
+def _begun(dialogue: Dialogue, event: Begun) -> Turn:
+    """Greet, and begin with the introduction or go on with a task that was given."""
+    known = Knowledge(scene=event.scene, setup=event.setup)
+    open_dialogue = replace(dialogue, known=known, saved=event.saved)
+    if event.task is None:
+        greeting = line("greet", "first" if not event.saved else "again", names=list(event.saved))
+        asking = replace(open_dialogue, state=need(known) or Introducing("task_name"))
+        return first(say(asking, greeting)[1], ask(asking))
+    known = taken_up(known, event.task)
+    greeting = line("greet", "with_task", about=About(known.name), task=known.name)
+    saved_as = known.name if known.name in event.saved else ""
+    taught = replace(open_dialogue, known=known, saved_as=saved_as)
+    return first(say(taught, greeting)[1], resumed(taught))
+
+
+def listening(dialogue: Dialogue) -> Listening:
+    """Return what the understanding of the next words depends on."""
+    asked = question(dialogue)
+    known = dialogue.known
+    things = tuple(one.name for one in known.objects or ()) or tuple(known.scene.bodies)
+    return Listening(
+        stage(dialogue),
+        asked.asked if asked is not None else None,
+        dialogue.arm == "moving",
+        known.name,
+        things,
+        names(known.root),
+    )
+
+
+__all__ = ["begin", "listening", "public_view", "step"]

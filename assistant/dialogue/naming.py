@@ -1,0 +1,137 @@
+"""Names and lists of steps and things out of a teacher's answer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from assistant.language.actions import role_of
+from assistant.language.hints import hints, phrase_pattern
+from assistant.model.scene import Scene
+from assistant.model.task import Role, TaskObject
+
+Value = str | int | tuple[str, ...]
+
+
+def text_of(value: Value) -> str:
+    """Return an answer as one text."""
+    return ", ".join(value) if isinstance(value, tuple) else str(value)
+
+
+def number_of(value: Value) -> int | None:
+    """Return an answer as a count, or None if it tells none."""
+    if isinstance(value, int):
+        return value
+    text = text_of(value).strip().lower()
+    numbers: dict[str, int] = hints("numbers")
+    found = re.search(r"-?\d+", text)
+    if found:
+        return int(found.group())
+    return next((numbers[word] for word in re.findall(r"[a-z]+", text) if word in numbers), None)
+
+
+def tidy(name: str) -> str:
+    """Return a name without quotes, end marks and openers such as "first you"."""
+    text = re.sub(r"\s+", " ", name).strip(" \t\"'.,;:!?")
+    openers: list[str] = hints("openers")
+    stripped = True
+    while stripped:
+        stripped = False
+        for opener in openers:
+            hit = phrase_pattern(opener).match(text.lower())
+            if hit and hit.end() < len(text):
+                text = text[hit.end() :].strip(" ,:")
+                stripped = True
+    return text
+
+
+def steps_in(value: Value, room: int) -> tuple[str, ...]:
+    """Return the names in an answer.
+
+    Parameters
+    ----------
+    value : text, integer or tuple of text
+    room : int
+        How many names are still missing; "a and b" is two only if that fits.
+    """
+    if isinstance(value, tuple):
+        return tuple(filter(None, map(tidy, value)))
+    pieces = _split(str(value), hints("separators"))
+    if room > 1:
+        # "pick it up, move it over and put it down": the last "and" joins a list.
+        parted = [part for piece in pieces for part in _split(piece, hints("joins"))]
+        plain = all(len(part.split()) > 1 for part in parted)
+        if len(parted) > len(pieces) and (len(parted) == room or len(pieces) > 1) and plain:
+            pieces = parted
+    return tuple(filter(None, map(tidy, pieces)))
+
+
+def name_and_steps(text: str) -> tuple[str, tuple[str, ...]]:
+    """Return a task's name and the steps told in the same breath, if any were."""
+    pieces = _split(text, hints("separators"))
+    opened = any(tidy(piece).lower() != piece.strip(" .").lower() for piece in pieces[1:])
+    if len(pieces) < 2 or not opened:
+        return tidy_name(text), ()
+    return tidy_name(pieces[0]), tuple(filter(None, map(tidy, pieces[1:])))
+
+
+def tidy_name(name: str) -> str:
+    """Return a name without quotes and end marks."""
+    return re.sub(r"\s+", " ", name).strip(" \t\"'.,;:!?")
+
+
+def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
+    """Return the objects an answer names, by the scene's names where it knows them."""
+    phrases = value if isinstance(value, tuple) else _things(str(value))
+    names = [known_name(_bare(phrase), scene) for phrase in phrases]
+    unique = dict.fromkeys(name for name in names if name)
+    return tuple(TaskObject(name, role(name, scene)) for name in unique)
+
+
+def known_name(phrase: str, scene: Scene) -> str:
+    """Return the scene's name for a thing, or the phrase itself if the scene has none.
+
+    "the red block" is the block of the scene if that is red, or if no other block is there.
+    """
+    lowered = phrase.lower()
+    for name in scene.bodies:
+        if name.lower() == lowered:
+            return name
+    inside = [name for name in scene.bodies if phrase_pattern(name.lower()).search(lowered)]
+    others = set(re.findall(r"\w+", lowered))
+    fitting = [name for name in inside if others <= _words_of(name, scene)]
+    candidates = fitting or inside
+    return candidates[0] if len(candidates) == 1 and fitting else phrase
+
+
+def _words_of(name: str, scene: Scene) -> set[str]:
+    body = scene.bodies[name]
+    return {*re.findall(r"\w+", f"{name} {body.color} {body.shape}".lower()), "wooden", "small"}
+
+
+def role(name: str, scene: Scene) -> Role:
+    """Return ``target`` for what cannot be moved or is called one, else ``object``."""
+    body = scene.bodies.get(name)
+    if body is not None and body.mass_kg == 0:
+        return "target"
+    return "target" if body is None and role_of(name) == "target" else "object"
+
+
+def alike(name: str, others: Sequence[str]) -> bool:
+    """Whether a name is taken, capitals and spaces aside."""
+    plain = " ".join(name.lower().split())
+    return any(" ".join(other.lower().split()) == plain for other in others)
+
+
+def _things(text: str) -> list[str]:
+    return [piece for piece in re.split(r",|;|\band\b|\bplus\b|\bonto\b", text) if piece.strip()]
+
+
+def _bare(phrase: str) -> str:
+    text = tidy_name(phrase)
+    return re.sub(r"^(?:and|the|a|an|my|one|some|this|that)\s+", "", text, flags=re.IGNORECASE)
+
+
+def _split(text: str, separators: Sequence[str]) -> list[str]:
+    pattern = "|".join(re.escape(one) for one in separators)
+    return [piece for piece in re.split(pattern, text, flags=re.IGNORECASE) if piece.strip()]

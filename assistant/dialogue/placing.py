@@ -1,0 +1,106 @@
+"""Where things are, told in words and read back (issue: setups by talk)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import begin_run, places, proceed, tell
+from assistant.dialogue.effects import Arrange
+from assistant.dialogue.naming import known_name
+from assistant.dialogue.state import (
+    Dialogue,
+    Introducing,
+    Knowledge,
+    Pending,
+    Ran,
+    Ready,
+    Running,
+)
+from assistant.dialogue.turn import Turn, changed, first, line, plain_place, say
+from assistant.language.actions import mentioned_objects
+from assistant.language.hints import hints, mentions
+from assistant.model import teacher_acts as acts
+from assistant.model.setup import Place, Triple
+
+
+def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -> Turn:
+    """Put a thing where the teacher says; numbers that were not typed are confirmed first."""
+    if dialogue.arm in ("moving", "checking"):
+        return say(dialogue, line("error", "while_moving"))
+    known = dialogue.known
+    thing = thing_named(known, act.object)
+    if not thing:
+        told = line("error", "no_such_thing", thing=act.object, names=_things(known))
+        return tell(dialogue, told)
+    place = new_place(known, thing, act, words)
+    if place is None:
+        return tell(dialogue, line("error", "no_place", thing=thing))
+    told = line("read_back", "place", thing=thing, place=plain_place(place))
+    if not sure:
+        question = line("confirm", "place", asked="did_you_mean", **told.slots)
+        return tell(replace(dialogue, pending=Pending("did_you_mean", question, (act,), words)))
+    return placed(dialogue, thing, place)
+
+
+def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:
+    """Put a thing somewhere, tell it, and look whether the arm can reach it there."""
+    setup = dialogue.known.setup
+    moved = replace(setup, name="told", places={**setup.places, thing: place})
+    known = replace(dialogue.known, setup=moved)
+    after = replace(changed(dialogue, "setup", known, clean=dialogue.clean), pending=None)
+    told = line("read_back", "place", thing=thing, place=plain_place(place))
+    arrange = Arrange(moved, known.scene)
+    said = (*say(after, told)[1], arrange)
+    if isinstance(dialogue.state, Ready | Ran | Running):
+        return first(said, begin_run(replace(after, state=Ready(), arm="rest"), look=True))
+    if isinstance(dialogue.state, Introducing):
+        return first(said, proceed(after))
+    return first(said, tell(after))
+
+
+def thing_named(known: Knowledge, text: str) -> str:
+    """Return the name of the thing a text refers to; empty if none."""
+    things = known.objects or ()
+    named = known_name(text, known.scene)
+    if named in known.scene.bodies or any(one.name == named for one in things):
+        return named
+    if named in known.setup.places:
+        return named
+    found = mentioned_objects(text, things)
+    return found[0] if len(found) == 1 else ""
+
+
+def _things(known: Knowledge) -> list[str]:
+    return [one.name for one in known.objects or ()] or list(known.scene.bodies)
+
+
+def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Place | None:
+    """Return the place told; None if it is relative to a place nobody told.
+
+    People measure bodies; "the hand at the block" tells the place as the paper does. What a
+    place is of stays as it was where the words leave it open.
+    """
+    old = known.setup.places.get(thing)
+    kind = old.kind if old is not None else "body"
+    if mentions(words, hints("place_of")["hand"]):
+        kind = "hand"
+    elif mentions(words, hints("place_of")["body"]):
+        kind = "body"
+    turned: Triple = act.rpy_deg or (old.rpy_deg if old is not None else (0.0, 0.0, 0.0))
+    if act.position_mm is not None:
+        return Place(kind, act.position_mm, turned)
+    if old is None:
+        return None
+    dx, dy, dz = _from_robot(known, act.by_mm or (0.0, 0.0, 0.0))
+    x, y, z = old.xyz_mm
+    return Place(old.kind, (x + dx, y + dy, z + dz), turned)
+
+
+def _from_robot(known: Knowledge, by_mm: Triple) -> Triple:
+    """Return a displacement as the robot sees it: mirrored if the teacher faces it."""
+    if known.facing != "facing":
+        return by_mm
+    return (-by_mm[0], -by_mm[1], by_mm[2])
+
+
+__all__ = ["new_place", "placed", "places", "set_pose", "thing_named"]

@@ -1,0 +1,81 @@
+"""While the teacher shows the task: watch, keep quiet, know when it is over (paper II-B)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask, learn, tell
+from assistant.dialogue.effects import EndRecording, Halt, Record, SetHand
+from assistant.dialogue.events import Shown
+from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Pending, Watching
+from assistant.dialogue.turn import Turn, changed, line, say, then
+from assistant.model import teacher_acts as acts
+from assistant.model.demonstration import Demonstration
+from assistant.model.robot_acts import About
+
+
+def watch(dialogue: Dialogue) -> Turn:
+    """Begin to record the teacher's hand."""
+    watching = replace(dialogue, state=Watching(), pending=None)
+    told = line("report", "watching", about=About(dialogue.known.name))
+    return then(say(watching, told), Record())
+
+
+def while_watching(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
+    """Answer what is said during a demonstration; markers and chat are met with silence."""
+    match act:
+        case acts.Approve() | acts.Affirm():
+            over = replace(dialogue, state=Watching("learn"))
+            return over, (EndRecording(keep=True),)
+        case acts.Stop():
+            over = replace(dialogue, state=Watching("ask"))
+            told = line("stopped", "while_shown")
+            return first_halt(then(say(over, told), EndRecording(keep=True)))
+        case acts.Again() | acts.GoBack("demonstration") | acts.Deny() | acts.Undo():
+            return _start_over(dialogue)
+        case acts.Gripper(command):
+            return dialogue, (SetHand(command),)
+        case acts.Pause():
+            return say(dialogue, line("told", "waiting"))
+        case _:
+            return dialogue, ()
+
+
+def first_halt(turn: Turn) -> Turn:
+    """Return the turn with a stop of the arm before anything else."""
+    return turn[0], (Halt("stop"), *turn[1])
+
+
+def _start_over(dialogue: Dialogue) -> Turn:
+    waiting = replace(dialogue, state=AwaitingShow())
+    told = tell(waiting, line("report", "start_over"))
+    return told[0], (EndRecording(keep=False), *told[1])
+
+
+def shown(dialogue: Dialogue, event: Shown) -> Turn:
+    """Take what was shown; learn from it unless it was broken off."""
+    if not isinstance(dialogue.state, Watching):
+        return dialogue, ()
+    ending = dialogue.state.ending
+    waiting = replace(dialogue, state=AwaitingShow())
+    if event.demonstration is None:
+        return tell(waiting, line("error", "not_shown", reason=event.why_not))
+    known = with_demonstration(dialogue.known, event.demonstration)
+    kept = changed(waiting, "demonstration", known)
+    if ending == "ask":
+        whole = line("confirm", "whole_demonstration", asked="satisfied")
+        return ask(replace(kept, pending=Pending("satisfied", whole, (acts.Approve(),))))
+    return learn(kept)
+
+
+def with_demonstration(known: Knowledge, shown: Demonstration) -> Knowledge:
+    """Return what is known with one more demonstration and the places it told."""
+    places = {**known.setup.places, **shown.setup.places}
+    return replace(
+        known,
+        demonstrations=(*known.demonstrations, shown),
+        cuts_s=None,
+        assigned=(),
+        reviewed=False,
+        setup=replace(known.setup, places=places),
+    )

@@ -1,0 +1,272 @@
+"""Where the dialogue stands: what is known, what is being asked, what the arm is doing.
+
+`Knowledge` is everything the teacher has taught; it is immutable, so undo and redo are two
+stacks of it. `Dialogue` adds what is not taught: the state, the arm, the last lines.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal
+
+from assistant.dialogue.sketch import Sketch, to_tree
+from assistant.model.demonstration import Demonstration
+from assistant.model.lesson import Lesson, Question
+from assistant.model.motion import Alignment, Refusal
+from assistant.model.robot_acts import RobotAct
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import Index, Primitive, Subtask, Task, TaskObject
+from assistant.model.teacher_acts import Asked, TeacherAct
+
+Pace = Literal["slow", "normal"]
+Arm = Literal["rest", "checking", "moving", "paused", "stopped"]
+Facing = Literal["own", "facing"]
+
+
+@dataclass(frozen=True, slots=True)
+class Knowledge:
+    """What the teacher has taught so far; None means: not asked yet.
+
+    Parameters
+    ----------
+    facing : {"own", "facing"} or None
+        Whether the teacher's directions are the robot's own or mirrored.
+    unplaced : tuple of str
+        Objects whose place the teacher leaves to the demonstration.
+    learned_root : Sketch or None
+        The tree that the lesson was learned with.
+    """
+
+    scene: Scene = field(default_factory=Scene)
+    setup: Setup = field(default_factory=Setup)
+    name: str = ""
+    goal: str | None = None
+    objects: tuple[TaskObject, ...] | None = None
+    root: Sketch = field(default_factory=Sketch)
+    tree_confirmed: bool = False
+    unplaced: tuple[str, ...] = ()
+    demonstrations: tuple[Demonstration, ...] = ()
+    cuts_s: tuple[float, ...] | None = None
+    assigned: tuple[tuple[int, str], ...] = ()
+    lesson: Lesson | None = None
+    learned_root: Sketch | None = None
+    reviewed: bool = False
+    facing: Facing | None = None
+
+    @property
+    def task(self) -> Task:
+        """The task as known now; its tree may be incomplete."""
+        tree = to_tree(self.root)
+        if isinstance(tree, Primitive):
+            tree = Subtask(self.name, ())
+        return Task(self.name, tree, self.goal or "", self.objects or (), self.lesson)
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """Before the session is open."""
+
+
+@dataclass(frozen=True, slots=True)
+class Introducing:
+    """A question about the task is open.
+
+    Parameters
+    ----------
+    asked : str
+    index : Index
+        The node concerned.
+    thing : str
+        The object concerned, for ``body`` and ``pose``.
+    named : tuple of str
+        For a contradiction: the steps named, more than had been said.
+    said : int
+        For a contradiction: how many had been said.
+    """
+
+    asked: Asked
+    index: Index = ()
+    thing: str = ""
+    named: tuple[str, ...] = ()
+    said: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class AwaitingShow:
+    """The teacher is to say when the demonstration begins."""
+
+
+@dataclass(frozen=True, slots=True)
+class Watching:
+    """The teacher's hand is being recorded; `ending` once the end was asked for."""
+
+    ending: Literal["", "learn", "ask"] = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Thinking:
+    """Learning is under way."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reviewing:
+    """What was learned is being gone through; the first question is open."""
+
+    questions: tuple[Question, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Ready:
+    """At rest in practice, waiting for a start."""
+
+
+@dataclass(frozen=True, slots=True)
+class Running:
+    """The arm carries out a setup, is being checked for it, or was halted on the way."""
+
+
+@dataclass(frozen=True, slots=True)
+class Ran:
+    """A run is over; the teacher is to say whether it was right."""
+
+
+@dataclass(frozen=True, slots=True)
+class Closed:
+    """The session is over."""
+
+
+State = (
+    Opening
+    | Introducing
+    | AwaitingShow
+    | Watching
+    | Thinking
+    | Reviewing
+    | Ready
+    | Running
+    | Ran
+    | Closed
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Pending:
+    """A question in between: what happens on yes, and on no.
+
+    Parameters
+    ----------
+    asked : str
+    line : RobotAct
+        The question, to be repeated.
+    acts : tuple of TeacherAct
+        What the teacher is taken to want, done on yes (for ``facing``: after the answer).
+    words : str
+        The teacher's own words.
+    keep_name : str
+        For overwriting: the name to save under.
+    leave : bool
+        For ``unsaved``: leave after the answer.
+    """
+
+    asked: Asked
+    line: RobotAct
+    acts: tuple[TeacherAct, ...] = ()
+    words: str = ""
+    keep_name: str = ""
+    leave: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """One carrying out of a setup.
+
+    Parameters
+    ----------
+    purpose : {"practice", "replay", "look"}
+        ``look`` only checks.
+    anew : bool
+        Goes on from where the arm was halted.
+    checked : bool
+        The check of this run was accepted and its motion may be under way.
+    perceived : tuple of (condition, object)
+    """
+
+    setup: Setup
+    pace: Pace
+    purpose: Literal["practice", "replay", "look"] = "practice"
+    anew: bool = False
+    checked: bool = False
+    corrected: bool = False
+    primitive_at: int = -1
+    perceived: tuple[tuple[str, str], ...] = ()
+    held: str = ""
+    height_mm: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RunResult:
+    """How one carrying out went."""
+
+    setup: Setup
+    pace: Pace
+    corrected: bool
+    complete: bool
+    missing: tuple[str, ...] = ()
+    alignments: tuple[Alignment, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """A snapshot to go back to, with what was changed after it."""
+
+    known: Knowledge
+    label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Dialogue:
+    """The whole dialogue between two events.
+
+    Parameters
+    ----------
+    known : Knowledge
+    state : State
+    pending : Pending or None
+        A question in between; the state's own question waits.
+    arm : str
+    run : Run or None
+        The present or last one.
+    runs : tuple of RunResult
+        All since the session began.
+    clean : tuple of RunResult
+        Those in a row, uncorrected, since the last change.
+    past, future : tuples of Change
+        Undo and redo.
+    said : tuple of RobotAct
+        The robot's last turn, for "what did you say?".
+    misses : int
+        Times in a row that the teacher was not understood.
+    """
+
+    known: Knowledge = field(default_factory=Knowledge)
+    state: State = field(default_factory=Opening)
+    pending: Pending | None = None
+    arm: Arm = "rest"
+    pace: Pace = "slow"
+    run: Run | None = None
+    runs: tuple[RunResult, ...] = ()
+    clean: tuple[RunResult, ...] = ()
+    refusal: Refusal | None = None
+    past: tuple[Change, ...] = ()
+    future: tuple[Change, ...] = ()
+    said: tuple[RobotAct, ...] = ()
+    misses: int = 0
+    brief: bool = False
+    saved: tuple[str, ...] = ()
+    saved_as: str = ""
+    unsaved: bool = False
+    agreed: bool = False
+    leaving: bool = False
+    comparing: bool = False
+    learn_why: str = ""

@@ -1,0 +1,110 @@
+"""What every state uses: making lines, remembering changes, saying and asking again."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.sketch import Sketch, walk
+from assistant.dialogue.state import Change, Dialogue, Knowledge
+from assistant.model.robot_acts import About, RobotAct, RobotActName
+from assistant.model.setup import Place
+from assistant.model.task import Action, Condition, Index
+from assistant.model.teacher_acts import Asked
+
+Turn = tuple[Dialogue, tuple[Effect, ...]]
+
+
+def line(
+    act: RobotActName,
+    topic: str,
+    *,
+    asked: Asked | None = None,
+    about: About | None = None,
+    **slots: Any,
+) -> RobotAct:
+    """Return a line of the robot; slots hold plain values only."""
+    return RobotAct(act, topic, asked, about, MappingProxyType(slots))
+
+
+def say(dialogue: Dialogue, *lines: RobotAct) -> Turn:
+    """Return the dialogue unchanged, with something said."""
+    return dialogue, tuple(Say(one) for one in lines)
+
+
+def then(turn: Turn, *effects: Effect) -> Turn:
+    """Return the turn with more effects after its own."""
+    return turn[0], (*turn[1], *effects)
+
+
+def first(effects: Iterable[Effect], turn: Turn) -> Turn:
+    """Return the turn with effects before its own."""
+    return turn[0], (*effects, *turn[1])
+
+
+def changed(
+    dialogue: Dialogue, label: str, known: Knowledge, *, clean: tuple[Any, ...] = ()
+) -> Dialogue:
+    """Return the dialogue with new knowledge that can be undone.
+
+    Parameters
+    ----------
+    label : str
+        Which change, for "I took back ..."; ``says.changes.<label>``.
+    clean : tuple of RunResult
+        Runs that still count toward agreement; none after a change of the task.
+    """
+    if known == dialogue.known:
+        return dialogue
+    past = (*dialogue.past, Change(dialogue.known, label))
+    return replace(
+        dialogue, known=known, past=past, future=(), unsaved=True, agreed=False, clean=clean
+    )
+
+
+def about(known: Knowledge, index: Index) -> About:
+    """Return whom a line concerns: the node at a position."""
+    node = node_or_blank(known.root, index)
+    return About(node.name or (known.name if not index else ""), index)
+
+
+def node_or_blank(root: Sketch, index: Index) -> Sketch:
+    """Return the node at a position, or an empty one where the tree ends before."""
+    return next((node for place, node in walk(root) if place == index), Sketch())
+
+
+def plain_action(action: Action) -> dict[str, str]:
+    """Return an action as files write it: ``{"move": "up", "object": "block"}``."""
+    told = {action.verb: action.way}
+    return told | ({"object": action.object} if action.object else {})
+
+
+def plain_condition(condition: Condition) -> dict[str, Any]:
+    """Return a condition as files write it: ``{"held": "block"}``."""
+    if condition.target:
+        return {condition.kind: {"object": condition.object, "target": condition.target}}
+    return {condition.kind: condition.object}
+
+
+def plain_place(place: Place) -> dict[str, Any]:
+    """Return a place in mm and degrees, and of what it is."""
+    return {"of": place.kind, "xyz_mm": list(place.xyz_mm), "rpy_deg": list(place.rpy_deg)}
+
+
+def plain_tree(node: Sketch) -> dict[str, Any]:
+    """Return a node and all below as plain values."""
+    told: dict[str, Any] = {"name": node.name}
+    if node.goal:
+        told["goal"] = node.goal
+    if node.action is not None:
+        told["action"] = plain_action(node.action)
+    if node.order == "any":
+        told["order"] = "any"
+    if node.optional:
+        told["optional"] = True
+    if node.parts:
+        told["parts"] = [plain_tree(part) for part in node.parts]
+    return told

@@ -1,0 +1,78 @@
+"""Shape and size of a thing from a teacher's words: "a box, 6 by 4 by 10 centimetres"."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import Literal
+
+from assistant.language.hints import hints, matter
+
+Triple = tuple[float, float, float]
+Shape = Literal["box", "cylinder", "sphere", "cup"]
+_NUMBER = re.compile(r"(\d+(?:[.,]\d+)?)\s*([a-z]+)?|\b([a-z]+)\b")
+
+
+@dataclass(frozen=True, slots=True)
+class ToldBody:
+    """What was told of a body; None for what was not."""
+
+    shape: Shape | None
+    size_mm: Triple | None
+
+
+def read_body(text: str, language: str = "english") -> ToldBody:
+    """Return the shape and size that some words tell; centimetres if no unit is said.
+
+    A box needs three lengths (two for a flat mark, one for a cube), a cylinder or cup the
+    diameter and the height, a ball its diameter.
+    """
+    shapes: dict[str, Shape] = {
+        "box": "box",
+        "cylinder": "cylinder",
+        "sphere": "sphere",
+        "cup": "cup",
+    }
+    shape = shapes.get(matter(text, "shapes", language))
+    lengths = read_lengths_mm(text, language)
+    return ToldBody(shape, _size(shape or "box", lengths))
+
+
+def read_lengths_mm(text: str, language: str = "english") -> tuple[float, ...]:
+    """Return the lengths in a text in mm; a unit said once holds for the numbers before it."""
+    units: dict[str, float] = hints("units", language)
+    numbers: dict[str, int] = hints("numbers", language)
+    values: list[float] = []
+    scales: list[float | None] = []
+    for digits, unit, word in _NUMBER.findall(text.lower()):
+        if digits:
+            values.append(float(digits.replace(",", ".")))
+            scales.append(units.get(unit))
+        elif word in numbers:
+            values.append(float(numbers[word]))
+            scales.append(None)
+        elif word in units and scales:
+            scales[-1] = units[word]
+    return _scaled(values, scales)
+
+
+def _scaled(values: list[float], scales: list[float | None]) -> tuple[float, ...]:
+    known: float | None = None
+    for position in range(len(scales) - 1, -1, -1):
+        known = scales[position] or known
+        scales[position] = known
+    last = next((scale for scale in reversed(scales) if scale), 10.0)
+    pairs = zip(values, scales, strict=True)
+    return tuple(value * (scale or last) for value, scale in pairs if value > 0)
+
+
+def _size(shape: Shape, lengths: tuple[float, ...]) -> Triple | None:
+    if not lengths:
+        return None
+    if shape == "sphere":
+        return (lengths[0],) * 3
+    if shape in ("cylinder", "cup"):
+        return (lengths[0], lengths[0], lengths[1]) if len(lengths) > 1 else None
+    if len(lengths) == 1:
+        return (lengths[0],) * 3
+    return (lengths[0], lengths[1], lengths[2] if len(lengths) > 2 else 0.0)
