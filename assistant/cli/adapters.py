@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import threading
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.model.scene import Scene
@@ -43,16 +44,25 @@ def make_equipment(arm: str) -> Equipment:
     """Return arm, planner and hands of a session."""
     from assistant.session.equipment import Equipment
     from sim.planner import A465Planner
+    from sim.setups import new_setup
 
     stop_flag = threading.Event()
-    return Equipment(make_arm(arm, stop_flag), A465Planner(), make_hand, make_new_setup, stop_flag)
+    return Equipment(make_arm(arm, stop_flag), A465Planner(), make_hand, new_setup, stop_flag)
 
 
 def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand:
     """Return the hand a ``demonstrate`` step asks for."""
-    raise NotImplementedError
+    from assistant.files.demonstrations import read_demonstration
+    from assistant.files.recordings import read_recording
+    from assistant.model.demonstration import Demonstration
+    from sim.hands import RecordedHand, ScriptedHand
 
-
-def make_new_setup(task: Task, scene: Scene, setup: Setup, seed: int) -> Setup | None:
-    """Return a reachable setup drawn with a seed."""
-    raise NotImplementedError
+    if step.recording is None:
+        cues = "auto" if step.cues is None else (*step.cues, *step.key_states)
+        return ScriptedHand(task, scene, setup, step.seed, cues)
+    path = Path(step.recording)
+    if path.suffix == ".csv":
+        shown = Demonstration(read_recording(path), step.cues or (), step.key_states, setup)
+    else:
+        shown = read_demonstration(path)
+    return RecordedHand(shown)

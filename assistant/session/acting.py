@@ -65,9 +65,12 @@ def demonstrate(session: Session, step: Demonstrate, base: Path) -> None:
     if step.recording is not None:
         step = replace(step, recording=str((base / step.recording).resolve()))
     mover = session.mover
-    session.watch(
-        session.equipment.hand(step, session.dialogue.known.task, mover.scene, mover.setup)
-    )
+    hand = session.equipment.hand(step, session.dialogue.known.task, mover.scene, mover.setup)
+    session.watch(hand)
+    if session.watching is not None:
+        if step.cues is not None:
+            session.watching.declare(step.cues, step.key_states)
+        session.end_recording(keep=True)
 
 
 def leave(session: Session, why: str) -> None:

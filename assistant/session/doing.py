@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from assistant.dialogue import asking, events
 from assistant.dialogue import effects as wanted
-from assistant.dialogue import events
 from assistant.errors import BadInput, NothingLearned
 from assistant.learning.lesson import learn
 from assistant.model.motion import Refusal
@@ -66,7 +66,7 @@ def _move(
         case wanted.Replay():
             refusal = mover.replay(effect)
         case wanted.GoOn():
-            refusal = mover.go_on(anew=effect.anew)
+            refusal = mover.go_on(anew=effect.anew) if mover.under_way else _from_start(session)
         case wanted.SetHand():
             refusal = mover.set_hand(effect.command)
         case wanted.Jog():
@@ -75,6 +75,16 @@ def _move(
             mover.halt(effect.why)
     if refusal is not None:
         session.happen(events.Checked(mover.setup, refusal))
+
+
+def _from_start(session: Session) -> Refusal | None:
+    """Begin a run that was under way in an earlier life of the session: all is in place again."""
+    check = asking.check(session.dialogue)
+    found = session.mover.check(check)
+    if found.refusal is None:
+        slow = session.dialogue.pace == "slow"
+        session.mover.move(wanted.Move(check.task, check.setup, check.speed, slow))
+    return found.refusal
 
 
 def learned(session: Session, effect: wanted.Learn) -> events.Learned:

@@ -145,12 +145,11 @@ class Session:
         self.happen(events.Arranged(setup, scene))
 
     def watch(self, hand: Hand) -> None:
-        """Watch a hand until its demonstration is over, or the teacher ends it."""
+        """Watch a hand until it has shown everything, or the teacher ends the demonstration."""
         for sample in hand.samples():
             if self.watching is None:
                 return
             self.see(sample)
-        self.end_recording(keep=True)
 
     def see(self, sample: HandSample) -> None:
         """Take one sample of the teacher's hand, and what is said with it."""

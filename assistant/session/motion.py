@@ -70,6 +70,11 @@ class Mover:
         """Simulated time since the motion began."""
         return self.now_s - self._started_s
 
+    @property
+    def under_way(self) -> bool:
+        """Whether a run has begun and is not over, be it halted or not."""
+        return self._run is not None
+
     def view(self) -> dict[str, Any]:
         """Return plain values of the arm for transcripts."""
         look = self.look

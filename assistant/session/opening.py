@@ -20,7 +20,7 @@ from assistant.session.doing import do
 from assistant.session.equipment import EquipmentMaker
 from assistant.session.journal import Journal
 from assistant.session.loop import Out, Session
-from assistant.session.resuming import Fed, feed
+from assistant.session.resuming import Fed, feed, motion_pending
 
 FIRST_SETUP = "demonstration"
 
@@ -125,7 +125,7 @@ def _go_on(session: Session, fed: Fed) -> None:
     _tell_resumed(session, fed)
     for owed in (*fed.lines, *fed.owed):
         do(session, owed)
-    if fed.moving:
+    if motion_pending(session):
         session.happen(events.Halted("restart"))
 
 
@@ -133,7 +133,7 @@ def _tell_resumed(session: Session, fed: Fed) -> None:
     slots = {} if fed.recorded_s is None else {"recorded_s": fed.recorded_s}
     topic = "resumed" if fed.recorded_s is None else "resumed_recording"
     session.tell(RobotAct("report", topic, slots=MappingProxyType(slots)))
-    if not fed.lines and not fed.owed and not fed.moving:
+    if not fed.lines and not fed.owed and not motion_pending(session):
         for line in session.dialogue.said:
             session.tell(line)
 

@@ -28,6 +28,8 @@ HAND_S = 1.0
 """For opening or closing the hand at rest."""
 JOG_M_S, JOG_RAD_S = 0.05, 0.3
 SHORTEST_S = 0.4
+AROUND_M = 0.05
+"""A shown grasp or release is constrained over so much of the way to and from it."""
 NEAR_GRASP_M = 0.03
 """A hand this close to where it would grasp a body closes on it."""
 
@@ -42,7 +44,28 @@ def as_shown(task: Task, demonstration: Demonstration, speed: float) -> HandPath
     shown = demonstration.recording
     gripper = shown.gripper_m if shown.gripper_m is not None else np.zeros(len(shown.t_s))
     t_s = (shown.t_s - shown.t_s[0]) / speed
-    return HandPath(t_s, shown.path, gripper, _primitives_shown(task, shown.t_s))
+    primitive_at = _primitives_shown(task, shown.t_s)
+    return HandPath(t_s, shown.path, gripper, primitive_at, _stops_shown(task, shown.path, gripper))
+
+
+def _stops_shown(task: Task, path: Array, gripper_m: Array) -> tuple[HandStop, ...]:
+    """Return where the hand acted: where its opening crosses half its travel."""
+    stations = () if task.learned is None else task.learned.stations
+    acted = [station for station in stations if station.kind != "touch"]
+    closed = gripper_m < (np.min(gripper_m) + np.max(gripper_m)) / 2.0
+    instants = np.flatnonzero(np.diff(closed.astype(int))) + 1
+    return tuple(
+        HandStop(int(at), station.kind, station.object, station.frame, *_around(path, int(at)))
+        for at, station in zip(instants, acted, strict=False)
+    )
+
+
+def _around(path: Array, at: int) -> tuple[int, int]:
+    """Return the samples between which a path stays near one of its samples."""
+    far = np.flatnonzero(distance_between(path, path[at]) > AROUND_M)
+    before, after = far[far < at], far[far > at]
+    first = int(before[-1]) + 1 if len(before) else 0
+    return first, int(after[0]) - 1 if len(after) else len(path) - 1
 
 
 def _primitives_shown(task: Task, t_s: Array) -> Indices:

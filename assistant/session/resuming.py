@@ -18,7 +18,6 @@ from assistant.session.happenings import from_happened
 from assistant.session.loop import Session
 from assistant.session.watching import Watching, read_back
 
-MOTION = wanted.Move | wanted.Replay | wanted.GoOn | wanted.SetHand | wanted.Jog
 ANSWERS: dict[type, type] = {
     wanted.Learn: events.Learned,
     wanted.Check: events.Checked,
@@ -39,15 +38,12 @@ class Fed:
         Of the last event; those already said are taken off.
     owed : list of Effect
         Whose answers are missing.
-    moving : bool
-        The arm was moving.
     recorded_s : float or None
         How much of a demonstration was being watched; None if none was.
     """
 
     lines: list[wanted.Say] = field(default_factory=list)
     owed: list[wanted.Effect] = field(default_factory=list)
-    moving: bool = False
     recorded_s: float | None = None
 
 
@@ -60,10 +56,19 @@ def feed(session: Session, steps: Sequence[Step]) -> Fed:
         event = _event(session, past)
         if event is not None:
             _take(session, fed, event, past)
+    if motion_pending(session):
+        fed.owed = [one for one in fed.owed if not isinstance(one, wanted.Check)]
     if session.watching is not None:
         fed.recorded_s = session.watching.now_s
         session.watching.go_on()
     return fed
+
+
+def motion_pending(session: Session) -> bool:
+    """Return whether the arm was moving, halted on its way, or about to move."""
+    dialogue = session.dialogue
+    looking = dialogue.run is not None and dialogue.run.purpose == "look"
+    return dialogue.arm in ("moving", "paused") or (dialogue.arm == "checking" and not looking)
 
 
 def _event(session: Session, past: Step) -> events.Event | None:
@@ -94,10 +99,6 @@ def _settle(session: Session, fed: Fed, event: events.Event) -> None:
             session.mover.setup = event.setup
             if not isinstance(event, events.Checked):
                 session.mover.scene = event.scene
-        case events.ArmReported():
-            fed.moving = event.report.kind not in ("finished", "halted", "unmet")
-        case events.Halted():
-            fed.moving = False
         case events.Shown():
             session.watching = None
         case _:
@@ -117,8 +118,6 @@ def _owe(session: Session, fed: Fed, effect: wanted.Effect) -> None:
         session.mover.setup = effect.setup or session.mover.setup
         if effect.random:
             fed.owed.append(effect)
-    elif isinstance(effect, MOTION):
-        fed.moving = True
     elif isinstance(effect, wanted.Leave):
         session.left = True
     elif type(effect) in ANSWERS:

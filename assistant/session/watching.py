@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import csv
 import itertools
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -68,6 +69,11 @@ class Watching:
             self.cues.append(spoken)
         if any(isinstance(act, KeyState) for act in understood.acts):
             self.key_states.append(spoken)
+
+    def declare(self, cues: Iterable[Spoken], key_states: Iterable[Spoken]) -> None:
+        """Take words told beforehand as what they were told to be, at their exact times."""
+        self.cues = [replace(cue, at_s=cue.at_s + self._offset_s) for cue in cues]
+        self.key_states = [replace(one, at_s=one.at_s + self._offset_s) for one in key_states]
 
     def _write(self, path: Path, sample: HandSample) -> None:
         numbers = [sample.t_s, *(float(x) for x in sample.pose)]
