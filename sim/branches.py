@@ -50,7 +50,7 @@ def answers(poses: Array) -> Answers:
 def needed(fine: FinePath, start_free: bool) -> Flags:
     """Return the samples, shape (g,), that must be on the chosen branch."""
     flags = fine.constrained
-    flags[-1] = True
+    flags[-1] = flags[-1] or not fine.stops
     flags[0] = flags[0] or start_free
     return flags
 

@@ -24,6 +24,8 @@ FREE_SAMPLES = 64
 """A free stretch has at least so many samples, so that a detour has room."""
 JOIN_M_S, JOIN_RAD_S = 0.12, 0.6
 """Mean speeds of the straight motion from where the arm is to where the path begins."""
+DEPART_M = 1e-5
+"""A hand further from its stop has departed."""
 AT_START_M, AT_START_RAD = 5e-4, 3e-3
 
 Flags = NDArray[np.bool_]
@@ -65,6 +67,17 @@ class FinePath:
         last = len(self.u_s) - 1
         pairs = zip(begins.tolist(), ends.tolist(), strict=True)
         return [(max(first - 1, 0), min(end, last)) for first, end in pairs]
+
+
+def relaxed(fine: FinePath) -> FinePath:
+    """Return the path with stops kept exact, but not the departures from them."""
+    stops = []
+    for stop in fine.stops:
+        away = distance_between(fine.poses[stop.at : stop.left_at + 1], fine.poses[stop.at])
+        gone = np.flatnonzero(away > DEPART_M)
+        left = stop.at + max(int(gone[0]) - 1, 0) if len(gone) else stop.left_at
+        stops.append(replace(stop, left_at=left))
+    return replace(fine, stops=tuple(stops))
 
 
 def refine(path: HandPath) -> FinePath:

@@ -13,7 +13,7 @@ branch they are on, and knows what the hand holds.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,11 +34,16 @@ from sim.branches import (
     shared_turn,
 )
 from sim.collision import Touch
-from sim.fine_path import FinePath, joined, moved, refine
+from sim.fine_path import FinePath, joined, moved, refine, relaxed
 from sim.kinematics import Flags, forward, limit_margin
 from sim.phases import Phase, overlap, phases
 from sim.routes import Stretch, route
 from sim.timing import Timed, timed
+
+ENOUGH = 1.4
+"""A motion that lasts no longer than this share of the path's own time is good enough."""
+END_LIFTS_M = np.array([0.12, 0.08, 0.16, 0.05, 0.02])
+"""A hand that cannot end where it should goes up so far from the last place it can take."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -49,6 +54,7 @@ class _Work:
     found: Answers
     phases: tuple[Phase, ...]
     start: Array | None
+    hand_speed_m_s: float
 
 
 class A465Planner:
@@ -73,15 +79,32 @@ class A465Planner:
             return refusal
         fine = joined(refine(path), setup_start(scene, setup) if look is None else look.hand)
         start = None if look is None else np.array(look.q)
-        work = _Work(fine, answers(fine.poses), phases(fine, scene, setup, look), start)
-        flags = needed(fine, start is None)
-        refusals = []
-        for branch in candidates(work.found, flags, start):
-            done = _on_branch(work, branch, scene.hand_speed_m_s)
-            if isinstance(done, JointPath):
-                return done
+        speed = scene.hand_speed_m_s
+        work = _Work(fine, answers(fine.poses), phases(fine, scene, setup, look), start, speed)
+        done = _planned(work)
+        if isinstance(done, JointPath) or not fine.stops:
+            return done
+        # Where a departure cannot be kept as it was shown, it may bend once the hand is off.
+        eased = _planned(replace(work, fine=relaxed(fine)))
+        return eased if isinstance(eased, JointPath) else done
+
+
+def _planned(work: _Work) -> JointPath | Refusal:
+    flags = needed(work.fine, work.start is None)
+    lasts_s = float(work.fine.u_s[-1] - work.fine.u_s[0])
+    best: JointPath | None = None
+    refusals = []
+    for branch in candidates(work.found, flags, work.start):
+        done = _on_branch(work, branch)
+        if isinstance(done, Refusal):
             refusals.append(done)
-        return refusals[0] if refusals else forbidden(work.found, flags, fine)
+        elif best is None or done.t_s[-1] < best.t_s[-1]:
+            best = done
+        if best is not None and best.t_s[-1] <= ENOUGH * lasts_s:
+            break
+    if best is not None:
+        return best
+    return refusals[0] if refusals else forbidden(work.found, flags, work.fine)
 
 
 def setup_start(scene: Scene, setup: Setup) -> Array:
@@ -89,9 +112,10 @@ def setup_start(scene: Scene, setup: Setup) -> Array:
     return scene.hand_pose("", setup.robot_start)
 
 
-def _on_branch(work: _Work, branch: int, hand_speed_m_s: float) -> JointPath | Refusal:
+def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
     q = np.array(work.found.q[:, branch])
     q[0] = _start_joints(work, branch)
+    q[-1] = _end_joints(work, branch)
     refusal = _touched(work, q, work.fine.constrained)
     if refusal is not None:
         return refusal
@@ -105,7 +129,7 @@ def _on_branch(work: _Work, branch: int, hand_speed_m_s: float) -> JointPath | R
         if how:
             notes.append(f"{how} on the {place_name(work.fine, first + 1)}")
     refusal = _touched(work, q, np.ones(len(q), dtype=bool))
-    return refusal or _finished(work.fine, q, "; ".join(notes), hand_speed_m_s)
+    return refusal or _finished(work, q, "; ".join(notes))
 
 
 def _start_joints(work: _Work, branch: int) -> Array:
@@ -116,11 +140,32 @@ def _start_joints(work: _Work, branch: int) -> Array:
     return shared_turn(q) if abs(q[4]) < SINGULAR_RAD else q
 
 
+def _end_joints(work: _Work, branch: int) -> Array:
+    """Return the last joints; where the path's own end cannot be held, those of a lifted hand."""
+    margin = work.found.margin[:, branch]
+    if margin[-1] >= 0.0:
+        return np.asarray(work.found.q[-1, branch])
+    last = int(np.flatnonzero(margin >= 0.0)[-1])
+    lifted = np.repeat(work.fine.poses[last : last + 1], len(END_LIFTS_M), axis=0)
+    lifted[:, 2] += END_LIFTS_M
+    ends = answers(lifted)
+    able = np.flatnonzero(ends.margin[:, branch] >= 0.0)
+    return np.asarray(ends.q[able[0], branch] if len(able) else work.found.q[-1, branch])
+
+
 def _stretch(work: _Work, branch: int, q: Array, first: int, last: int) -> Stretch:
     part = slice(first, last + 1)
     phase = next(p for p in work.phases if p.first <= first and last <= p.last)
     gap = phase.gap(float(np.max(work.fine.gripper_m[part])))
-    return Stretch(work.fine.u_s[part], work.fine.poses[part], branch, q[first], q[last], gap)
+    return Stretch(
+        work.fine.u_s[part],
+        work.fine.poses[part],
+        branch,
+        q[first],
+        q[last],
+        gap,
+        work.hand_speed_m_s,
+    )
 
 
 def _touched(work: _Work, q: Array, flags: Flags) -> Refusal | None:
@@ -157,8 +202,9 @@ def _blocked(work: _Work, q: Array, first: int, last: int) -> Refusal:
     return Refusal("joint_limit", where, f"joint {int(joint) + 1}", by, "deg", "turn")
 
 
-def _finished(fine: FinePath, q: Array, note: str, hand_speed_m_s: float) -> JointPath | Refusal:
-    result = timed(fine.u_s, q, forward(q)[:, :3], hand_speed_m_s)
+def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
+    fine = work.fine
+    result = timed(fine.u_s, q, forward(q)[:, :3], work.hand_speed_m_s)
     margin = limit_margin(result.q)
     if margin.min() < 0.0:
         return _beyond(fine, result, int(np.argmin(margin)))

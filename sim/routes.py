@@ -8,14 +8,16 @@ either, a way is searched among random joint angles (seeded, so that it is alway
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import chain, islice
 
 import numpy as np
 
-from assistant.geometry import Array
+from assistant.geometry import Array, rotate_vector
 from sim import a465
-from sim.branches import SINGULAR_RAD, answers
-from sim.kinematics import Flags, limit_margin, wrist_of
+from sim.branches import JUMP_RAD, SINGULAR_RAD, answers
+from sim.kinematics import Flags, forward, limit_margin, wrist_of
+from sim.search import searched
 
 FAST = 1.4
 """A free part that asks for more than this share of a joint's speed is led around: near the
@@ -23,7 +25,10 @@ wrist's singularity joints would spin while the hand hardly moves."""
 LIFTS_M = (0.0, 0.05, 0.10, 0.16, 0.24)
 PADS = (0.12, 0.35, 1.0)
 """How far a joint motion reaches beyond the bad part, as a share of what is left."""
-MARGIN_RAD = 0.01
+LONGER, LATER_S = 1.25, 1.0
+"""A way around that lasts longer than this is taken only if there is no quicker one."""
+SEARCHES = 4
+"""Pairs of ends between which a way is searched before giving up."""
 
 Gap = Callable[[Array], Array]
 """Gives for joints, shape (m, 6), how far they are from touching anything, shape (m,)."""
@@ -41,6 +46,7 @@ class Stretch:
     start, end : array, shape (6,)
         Joints of the first and last sample, which are kept.
     gap : callable
+    hand_speed_m_s : float
     """
 
     u_s: Array
@@ -49,6 +55,7 @@ class Stretch:
     start: Array
     end: Array
     gap: Gap
+    hand_speed_m_s: float = 0.25
 
 
 def route(stretch: Stretch, kept: Array) -> tuple[Array, str] | None:
@@ -56,10 +63,69 @@ def route(stretch: Stretch, kept: Array) -> tuple[Array, str] | None:
 
     `kept` are the joints of the path as it is, NaN where there are none.
     """
-    for how, q in _ways(stretch, kept):
-        if _good(stretch, q):
-            return q, how
+    enough = LONGER * (stretch.u_s[-1] - stretch.u_s[0]) + LATER_S
+    best: tuple[float, Array, str] | None = None
+    for inner, head, tail in chain([(stretch, kept[:0], kept[:0])], _narrowed(stretch)):
+        base = kept if inner is stretch else answers(inner.poses).q[:, stretch.branch]
+        for how, q in _ways(inner, base):
+            if not _good(inner, q):
+                continue
+            whole = np.concatenate([head, q, tail])
+            lasts = _lasts(stretch, whole)
+            if lasts <= enough:
+                return whole, how
+            if best is None or lasts < best[0]:
+                best = (lasts, whole, how)
+        if best is not None:
+            return best[1:]
+    return _search(stretch)
+
+
+def _lasts(stretch: Stretch, q: Array) -> float:
+    joints = np.max(np.abs(np.diff(q, axis=0)) / a465.SPEEDS, axis=1)
+    hand = np.linalg.norm(np.diff(forward(q)[:, :3], axis=0), axis=1) / stretch.hand_speed_m_s
+    return float(np.sum(np.maximum(np.maximum(joints, hand), np.diff(stretch.u_s))))
+
+
+def _search(stretch: Stretch) -> tuple[Array, str] | None:
+    whole = (stretch, stretch.start[None][:0], stretch.start[None][:0])
+    for inner, head, tail in islice(chain([whole], _narrowed(stretch)), SEARCHES):
+        found = searched(inner.start, inner.end, inner.gap, len(inner.u_s))
+        if found is not None:
+            return np.concatenate([head, found, tail]), "searched"
     return None
+
+
+def _narrowed(stretch: Stretch) -> Iterator[tuple[Stretch, Array, Array]]:
+    """Yield shorter stretches between straight ways out of the start and into the end."""
+    count = len(stretch.u_s) // 5
+    ins = [stretch.end[None][:0], *_straights(stretch, stretch.poses[-1], stretch.end, count)]
+    outs = [stretch.start[None][:0], *_straights(stretch, stretch.poses[0], stretch.start, count)]
+    for tail in ins:
+        for head in outs:
+            if len(head) + len(tail) == 0:
+                continue
+            part = slice(len(head), len(stretch.u_s) - len(tail))
+            start = head[-1] if len(head) else stretch.start
+            end = tail[-1] if len(tail) else stretch.end
+            inner = replace(
+                stretch, u_s=stretch.u_s[part], poses=stretch.poses[part], start=start, end=end
+            )
+            yield inner, head, tail[::-1]
+
+
+def _straights(stretch: Stretch, pose: Array, q: Array, count: int) -> Iterator[Array]:
+    """Yield free straight ways, shape (count, 6), from joints at a pose back or up."""
+    approach = rotate_vector(pose[3:], np.array([1.0, 0.0, 0.0]))
+    for way in (-0.06 * approach, -0.12 * approach, np.array([0.0, 0.0, 0.10])):
+        s = np.linspace(0.0, 1.0, count + 1)
+        poses = np.repeat(pose[None], count + 1, axis=0)
+        poses[:, :3] += (s**3 * (10.0 - 15.0 * s + 6.0 * s * s))[:, None] * way
+        joints = answers(poses).q[:, stretch.branch]
+        joints[0] = q
+        steps = np.abs(np.diff(joints, axis=0)).max(axis=1)
+        if np.all(steps < JUMP_RAD) and _good(stretch, joints):
+            yield joints[:-1]
 
 
 def _good(stretch: Stretch, q: Array) -> bool:
@@ -103,11 +169,6 @@ def _ways(stretch: Stretch, kept: Array) -> Iterator[tuple[str, Array]]:
             continue
         for pad in PADS:
             yield how or "led around", _bridged(stretch, base, bad, pad)
-    from sim.search import searched
-
-    found = searched(stretch.start, stretch.end, stretch.gap, len(stretch.u_s))
-    if found is not None:
-        yield "searched", found
 
 
 def _with_ends(stretch: Stretch, q: Array) -> Array:
