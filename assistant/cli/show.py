@@ -37,7 +37,7 @@ def run(args: argparse.Namespace) -> int:
     for warning in known.warnings:
         print(f"warning: {warning}", file=sys.stderr)
     if args.json:
-        print(json.dumps(plain_values(known.value)))
+        print(json.dumps(plain_values(known.value, known.recording)))
     else:
         from assistant.shells.telling import terminal, view
 

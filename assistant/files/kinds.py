@@ -8,6 +8,7 @@ from typing import Literal
 
 from assistant.errors import BadInput, Problem
 from assistant.files import demonstrations, scenes, setups, tasks, transcripts
+from assistant.files.arrays import read_npz, recording_of_json
 from assistant.files.forms import check_format, the_document
 from assistant.files.oddities import (
     odd_demonstration,
@@ -22,7 +23,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
 from assistant.model.transcript import Transcript
-from assistant.plain_yaml import read_file
+from assistant.plain_yaml import Document, read_file
 
 Kind = Literal["task", "setup", "scene", "demonstration", "transcript", "recording"]
 Value = Task | tuple[Setup, ...] | Scene | Demonstration | Transcript | Recording
@@ -47,11 +48,14 @@ class Known:
         Setups as a tuple.
     warnings : tuple of Problem
         What can be used but looks odd.
+    recording : str
+        Of a demonstration: its CSV file, relative to it.
     """
 
     kind: Kind
     value: Value
     warnings: tuple[Problem, ...] = ()
+    recording: str = ""
 
 
 def read_any(path: Path) -> Value:
@@ -70,9 +74,15 @@ def read_known(path: Path) -> Known:
     if path.suffix.lower() == ".csv":
         recording = read_recording(path)
         return Known("recording", recording, odd_recording(recording, str(path)))
-    documents = [each for each in read_file(path) if each.value is not None]
+    if path.suffix.lower() == ".npz":
+        recording = read_npz(path)
+        return Known("recording", recording, odd_recording(recording, str(path)))
+    documents = _documents(path)
+    if documents and _is_recording(documents[0]):
+        recording = recording_of_json(documents[0])
+        return Known("recording", recording, odd_recording(recording, str(path)))
     if not documents:
-        the_document(documents, str(path))
+        the_document(documents, str(path))  # says that the file is empty
     told = check_format(documents[0], *FORMATS)
     if told == setups.FORMAT:
         several = setups.setups_of(documents)
@@ -87,7 +97,25 @@ def read_known(path: Path) -> Known:
             return Known("scene", scene, odd_scene(scene, str(path)))
         case demonstrations.FORMAT:
             shown = demonstrations.demonstration_of(document, path.parent)
-            return Known("demonstration", shown, odd_demonstration(shown, str(path)))
+            named = document.value["recording"] if isinstance(document.value, dict) else ""
+            odd = odd_demonstration(shown, str(path))
+            return Known("demonstration", shown, odd, str(named))
         case transcripts.FORMAT:
             return Known("transcript", transcripts.transcript_of(document))
     raise BadInput.one(str(path), f"format {told!r} is not known")
+
+
+def _documents(path: Path) -> list[Document]:
+    """Return the documents of a file; a list, as JSON has it, holds several."""
+    documents = [each for each in read_file(path) if each.value is not None]
+    if len(documents) != 1 or not isinstance(documents[0].value, list):
+        return documents
+    value, lines = documents[0].value, documents[0].lines
+    parts = lines[1] if isinstance(lines, tuple) else []
+    listed = parts if isinstance(parts, list) else []
+    return [Document(each, line, str(path)) for each, line in zip(value, listed, strict=True)]
+
+
+def _is_recording(document: Document) -> bool:
+    value = document.value
+    return isinstance(value, dict) and "format" not in value and "t_s" in value

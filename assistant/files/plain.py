@@ -18,15 +18,23 @@ from assistant.model.transcript import Transcript
 
 def plain_values(
     value: Task | tuple[Setup, ...] | Scene | Demonstration | Transcript | Recording,
+    recording: str = "",
 ) -> Any:
-    """Return mappings, lists, numbers and text; several setups become a list."""
+    """Return mappings, lists, numbers and text; several setups become a list.
+
+    Parameters
+    ----------
+    value : any value of ours
+    recording : str
+        Of a demonstration: the CSV file it names.
+    """
     match value:
         case Task():
             return task_values(value)
         case Scene():
             return scene_values(value)
         case Demonstration():
-            return demonstration_values(value, value.source)
+            return demonstration_values(value, recording)
         case Transcript():
             return transcript_values(value)
         case Recording():

@@ -8,9 +8,10 @@ be meant, such as NaN or time running backward, is refused with its line.
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from itertools import islice
 from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 
@@ -51,13 +52,23 @@ def recording_of(text: str, file: str) -> Recording:
     return checked_recording(table, _Lines(text, file, after))
 
 
+class Places(Protocol):
+    """Tells where a row of a recording stands."""
+
+    file: str
+
+    def where(self, rows: list[int]) -> list[str]:
+        """Return where rows counted from 0 are, for messages."""
+        ...
+
+
 class _Lines:
     """Finds the line of a row; looked for only when there is something to complain about."""
 
     def __init__(self, text: str, file: str, after: int) -> None:
         self.text, self.file, self.after = text, file, after
 
-    def where(self, rows: Sequence[int]) -> list[str]:
+    def where(self, rows: list[int]) -> list[str]:
         """Return ``file:line`` of rows counted from 0."""
         numbers = [number for number, _ in _data_lines(self.text, self.after)]
         return [f"{self.file}:{numbers[row]}" for row in rows]
@@ -133,7 +144,7 @@ def _few(problems: list[Problem]) -> list[Problem]:
     return [*problems[:MOST_PROBLEMS], Problem(last.where, f"and {more} more lines like these")]
 
 
-def checked_recording(table: Array, lines: _Lines) -> Recording:
+def checked_recording(table: Array, lines: Places) -> Recording:
     """Return a recording from columns in the order of `COLUMNS`, or raise `BadInput`."""
     problems = _problems(table, lines)
     if problems:
@@ -144,7 +155,7 @@ def checked_recording(table: Array, lines: _Lines) -> Recording:
     return Recording(table[:, 0], path, table[:, 8] if table.shape[1] > 8 else None)
 
 
-def _problems(table: Array, lines: _Lines) -> list[Problem]:
+def _problems(table: Array, lines: Places) -> list[Problem]:
     finite = np.isfinite(table).all(axis=1)
     if not finite.all():
         return _at(np.flatnonzero(~finite), lines, "a value is NaN or infinite", "leave it out")
@@ -171,7 +182,7 @@ def _problems(table: Array, lines: _Lines) -> list[Problem]:
     return found
 
 
-def _too_far(table: Array, lines: _Lines) -> list[Problem]:
+def _too_far(table: Array, lines: Places) -> list[Problem]:
     """Complain about values that can only be millimetres."""
     far = np.flatnonzero((np.abs(table[:, 1:4]) > FARTHEST_M).any(axis=1))
     right = "x_m, y_m and z_m are in metres (is this mm?)"
@@ -183,7 +194,7 @@ def _too_far(table: Array, lines: _Lines) -> list[Problem]:
     return problems
 
 
-def _at(rows: Numbers, lines: _Lines, what: str, right: str) -> list[Problem]:
+def _at(rows: Numbers, lines: Places, what: str, right: str) -> list[Problem]:
     if len(rows) == 0:
         return []
     return [Problem(where, what, right) for where in lines.where(rows.tolist())]

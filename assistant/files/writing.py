@@ -18,7 +18,11 @@ def write_text(path: Path, text: str) -> None:
     BadInput
         If the folder is missing, read-only or full; the old file is then untouched.
     """
-    data = text.encode("utf-8", errors="replace")
+    write_bytes(path, text.encode("utf-8", errors="replace"))
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """Write a file at once, as `write_text` does."""
     try:
         if path.exists() and not path.is_file():
             path.write_bytes(data)  # a pipe or a device; a folder is refused by the system

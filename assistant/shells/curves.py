@@ -2,14 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
+from rich.console import Console, ConsoleOptions, RenderResult
+from rich.text import Text
 
 from assistant.geometry import Array
 
 BLOCKS = " ▁▂▃▄▅▆▇█"
 PLAIN_BLOCKS = " .:-=+*#@"
+
+
+@dataclass(frozen=True, slots=True)
+class Picture:
+    """A picture drawn with the characters the terminal has.
+
+    Parameters
+    ----------
+    draw : callable
+        Takes the characters for bars of growing height, returns the text.
+    """
+
+    draw: Callable[[str], str]
+
+    def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
+        yield Text(self.draw(PLAIN_BLOCKS if options.ascii_only else BLOCKS), no_wrap=True)
 
 
 def sampled(t_s: Array, values: Array, columns: int) -> Array:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -10,36 +11,26 @@ from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
 
+from assistant.files.wording import choice_words, robot_words, stage_direction, teacher_words
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.scene import Scene
 from assistant.model.setup import Place, Setup
 from assistant.model.task import Task
-from assistant.model.transcript import (
-    Demonstrate,
-    Expect,
-    Happened,
-    Near,
-    Note,
-    Restart,
-    RobotLine,
-    SetupChoice,
-    SetupStep,
-    Step,
-    TeacherLine,
-    Transcript,
-    Wait,
-)
+from assistant.model.transcript import RobotLine, Step, TeacherLine, Transcript
 from assistant.shells import curves
 from assistant.shells.trees import task_view
 
 COLUMNS = 60
 WIDEST_PIPE = 100
 Value = Task | tuple[Setup, ...] | Scene | Demonstration | Transcript | Recording
-_TIMES = {"one": "", "maybe": " (perhaps)", "any": " (any number)", "some": " (once or more)"}
 
 
 def terminal() -> Console:
     """Return where to show things; colors and width follow the terminal and ``NO_COLOR``."""
+    if not (sys.stdout.encoding or "").lower().startswith("utf") and hasattr(
+        sys.stdout, "reconfigure"
+    ):
+        sys.stdout.reconfigure(errors="replace")
     console = Console(highlight=False)
     return console if console.is_terminal else Console(highlight=False, width=WIDEST_PIPE)
 
@@ -117,20 +108,24 @@ def recording_views(recording: Recording, cues_s: Sequence[float]) -> Iterator[R
         f"{len(t_s)} samples in {t_s[-1] - t_s[0]:.2f} s (usually every {step_s * 1000:.0f} ms), "
         f"within {extent} mm"
     )
-    yield Text(speed_picture(recording, cues_s))
+    yield curves.Picture(lambda blocks: speed_picture(recording, cues_s, blocks))
 
 
-def speed_picture(recording: Recording, cues_s: Sequence[float], columns: int = COLUMNS) -> str:
+def speed_picture(
+    recording: Recording, cues_s: Sequence[float], blocks: str, columns: int = COLUMNS
+) -> str:
     """Return the hand's speed over time with cues, and the opening of the gripper."""
     t_s = recording.t_s
     speeds = curves.speed(t_s, recording.path)
     lines = [f"speed, up to {speeds.max() * 1000:.0f} mm/s"]
-    lines += curves.bars(curves.sampled(t_s, speeds, columns))
+    lines += curves.bars(curves.sampled(t_s, speeds, columns), blocks=blocks)
     if cues_s:
         lines.append(f"{curves.marks(cues_s, t_s, columns, '^'):<{columns}} cues")
     if recording.gripper_m is not None:
         lines += [f"gripper, up to {recording.gripper_m.max() * 1000:.0f} mm"]
-        lines += curves.bars(curves.sampled(t_s, recording.gripper_m, columns), rows=2)
+        lines += curves.bars(
+            curves.sampled(t_s, recording.gripper_m, columns), rows=2, blocks=blocks
+        )
     return "\n".join([*lines, curves.axis(t_s, columns)])
 
 
@@ -138,64 +133,19 @@ def play(transcript: Transcript) -> Iterator[Text]:
     """Yield a transcript as a play."""
     yield Text(transcript.title, style="bold")
     if transcript.setup is not None:
-        yield Text(f"setup: {_choice(transcript.setup)}; arm: {transcript.arm}", style="dim")
+        yield Text(f"setup: {choice_words(transcript.setup)}; arm: {transcript.arm}", style="dim")
     for step in transcript.steps:
         yield _line(step)
 
 
 def _line(step: Step) -> Text:
     match step:
-        case Note():
-            return Text(f"  ({step.text})", style="italic")
         case TeacherLine():
-            heard = f" [heard: {step.heard}]" if step.heard is not None else ""
-            at = f" [at {step.at_s:g} s]" if step.at_s is not None else ""
-            return Text("teacher: ", style="cyan").append(f"{step.says}{heard}{at}", "default")
+            return Text("teacher: ", style="cyan").append(teacher_words(step), "default")
         case RobotLine():
-            return Text("robot: ", style="green").append(_robot(step), "default")
+            return Text("robot: ", style="green").append(robot_words(step), "default")
         case _:
-            return Text(f"  ({_stage_direction(step)})", style="dim")
-
-
-def _robot(step: RobotLine) -> str:
-    if step.words is not None or step.pattern is not None:
-        said = f'"{step.words}"' if step.words is not None else f"/{step.pattern}/"
-    else:
-        said = ""
-    meaning = [str(part) for part in (step.act, step.asked, step.topic) if part]
-    if step.about:
-        meaning.append(f"about {step.about if isinstance(step.about, str) else step.about.name}")
-    meaning += [f"{name} {_value(value)}" for name, value in step.slots.items()]
-    told = " ".join(filter(None, [said, ", ".join(meaning)])) or "anything"
-    return told + _TIMES[step.times]
-
-
-def _stage_direction(
-    step: Wait | Demonstrate | SetupStep | Expect | Restart | Happened,
-) -> str:
-    match step:
-        case Wait():
-            return "until the arm rests" if step.seconds is None else f"{step.seconds:g} s pass"
-        case Demonstrate():
-            by = step.recording or f"the scripted hand, seed {step.seed}"
-            return f"the task is shown: {by}"
-        case SetupStep():
-            return f"things are rearranged: {_choice(step.choice)}"
-        case Expect():
-            told = (f"{path} is {_value(value)}" for path, value in step.values.items())
-            return f"now {'; '.join(told)}"
-        case Restart():
-            return "the program dies and starts again"
-        case Happened():
-            return f"happened: {', '.join(step.result)}"
-
-
-def _choice(choice: SetupChoice) -> str:
-    return choice.name or choice.file or (choice.setup.name if choice.setup else "")
-
-
-def _value(value: object) -> str:
-    return f"{value.near:g} within {value.within:g}" if isinstance(value, Near) else str(value)
+            return Text(f"  ({stage_direction(step)})", style="dim")
 
 
 def _table(title: str, *columns: str) -> Table:

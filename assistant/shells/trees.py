@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-import numpy as np
 from rich.console import Group, RenderableType
 from rich.markup import escape
 from rich.table import Table
 from rich.text import Text
 from rich.tree import Tree
 
+from assistant.files.wording import action_words, conditions_words, feedback_words, numbers_words
 from assistant.geometry import pose_to_mm_deg
-from assistant.model.feedback import Feedback
 from assistant.model.lesson import Lesson, SegmentationPoint, Station
-from assistant.model.task import Condition, Primitive, Subtask, Task
+from assistant.model.task import Primitive, Subtask, Task
 from assistant.shells import curves
 
 COLUMNS = 60
@@ -35,7 +34,7 @@ def task_view(task: Task) -> RenderableType:
 
 def task_tree(task: Task) -> Tree:
     """Return the tree with actions and conditions, numbered as people refer to it."""
-    goal = f" [dim]· {escape(task.goal)}[/dim]" if task.goal else ""
+    goal = f"[dim]: {escape(task.goal)}[/dim]" if task.goal else ""
     tree = Tree(f"[bold]{escape(task.name)}[/bold]{goal}")
     _add_parts(tree, task.tree, "")
     return tree
@@ -48,54 +47,24 @@ def _add_parts(tree: Tree, subtask: Subtask, number: str) -> None:
         here = f"{number}{position}"
         optional = " [dim](optional)[/dim]" if part.optional else ""
         if isinstance(part, Subtask):
-            goal = f" [dim]· {escape(part.goal)}[/dim]" if part.goal else ""
+            goal = f"[dim]: {escape(part.goal)}[/dim]" if part.goal else ""
             branch = tree.add(f"{here} [bold]{escape(part.name)}[/bold]{goal}{optional}")
             _add_parts(branch, part, f"{here}.")
         else:
-            leaf = f"{here} {escape(part.name)} [dim]· {escape(_action(part))}[/dim]{optional}"
+            leaf = f"{here} {escape(part.name)} [dim]({escape(action_words(part))})[/dim]{optional}"
             tree.add(leaf + _conditions(part))
 
 
-def _action(primitive: Primitive) -> str:
-    action = primitive.action
-    way = action.way if action.verb == "free" else f"{action.verb} {action.way}"
-    return f"{way}: {action.object}" if action.object else way
-
-
 def _conditions(primitive: Primitive) -> str:
-    told = [
-        f"{word} {', '.join(map(condition_words, conditions))}"
-        for word, conditions in (("before:", primitive.before), ("until:", primitive.until))
-        if conditions
-    ]
-    return f"\n[dim]{escape('; '.join(told))}[/dim]" if told else ""
-
-
-def condition_words(condition: Condition) -> str:
-    """Return a condition in words, such as "block on target"."""
-    thing, target = condition.object or "it", condition.target or "it"
-    match condition.kind:
-        case "hand":
-            return f"hand {thing}"
-        case "docked":
-            return f"docked at {thing}"
-        case "held":
-            return f"{thing} in the hand"
-        case "on":
-            return f"{thing} on {target}"
-        case "aligned":
-            return f"{thing} aligned with {target}"
-        case "above":
-            return f"{thing} above {target}"
-        case "clear":
-            return f"clear of {thing}"
+    told = conditions_words(primitive)
+    return f"\n[dim]{escape(told)}[/dim]" if told else ""
 
 
 def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
     """Yield what was learned: source, votes, cuts, episodes, docking, corrections, questions."""
     yield Text(_summary(lesson))
     if len(lesson.segmentation.vote_t_s) > 1:
-        yield Text(votes_picture(lesson))
+        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks))
     if lesson.segmentation.points:
         yield _points(lesson.segmentation.points)
     if lesson.segmentation.episodes:
@@ -120,12 +89,12 @@ def _summary(lesson: Lesson) -> str:
     return "; ".join(told)
 
 
-def votes_picture(lesson: Lesson, columns: int = COLUMNS) -> str:
+def votes_picture(lesson: Lesson, blocks: str, columns: int = COLUMNS) -> str:
     """Return the course of the vote with a mark at each cut."""
     cuts = lesson.segmentation
     lines = [
         "votes",
-        *curves.bars(curves.sampled(cuts.vote_t_s, cuts.vote, columns)),
+        *curves.bars(curves.sampled(cuts.vote_t_s, cuts.vote, columns), blocks=blocks),
         curves.marks(cuts.cuts_s, cuts.vote_t_s, columns, "|"),
         curves.axis(cuts.vote_t_s, columns),
     ]
@@ -169,28 +138,6 @@ def _stations(stations: Sequence[Station]) -> Table:
     table = _table("docking", "kind", "object", "frame", "docking from there, mm and deg")
     for station in stations:
         mm, deg = pose_to_mm_deg(station.docking_in_frame)
-        place = f"({_numbers(mm)}) turned ({_numbers(deg)})"
+        place = f"({numbers_words(mm)}) turned ({numbers_words(deg)})"
         table.add_row(*map(escape, (station.kind, station.object, station.frame, place)))
     return table
-
-
-def _numbers(values: Iterable[float]) -> str:
-    return ", ".join(f"{value + 0.0:.1f}" for value in values)
-
-
-def feedback_words(feedback: Feedback) -> str:
-    """Return a correction with the teacher's words and what it changed."""
-    match feedback.kind:
-        case "translate":
-            change = f"moved by ({_numbers([1000.0 * x for x in feedback.offset_m])}) mm"
-        case "rotate":
-            change = (
-                f"turned by ({_numbers([float(np.rad2deg(x)) for x in feedback.turn_rad])}) deg"
-            )
-        case "speed":
-            change = f"speed times {feedback.factor:.2f}"
-        case "hand":
-            change = f"hand {feedback.hand}"
-    where = f" {feedback.when} {feedback.primitive}" if feedback.primitive else ""
-    frame = f" (moves with {feedback.frame})" if feedback.frame else ""
-    return f'"{feedback.words}": {change}{where}{frame}'
