@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 
 from assistant.errors import WorkFailed
-from assistant.geometry import Array, compose, inverse, pose_from_mm_deg
+from assistant.geometry import Array, compose, interpolate, inverse, pose_from_mm_deg
 from assistant.model.lesson import Station
 from assistant.model.scene import Obstacle, Scene
 from assistant.model.setup import READY, Place, Setup, Triple
@@ -32,6 +32,8 @@ YAW_DEG = 60.0
 APART_M = 0.13
 """Between the middles of bodies."""
 TRIES = 4000
+BETWEEN = 9
+"""Postures looked at from docking to grasp or release."""
 
 
 def random_setups(
@@ -163,8 +165,9 @@ def postures(task: Task, scene: Scene, setup: Setup) -> list[Posture]:
         frame = frames[station.frame]
         hand = compose(frame, station.hand_in_frame)
         near = (station.object, station.frame)
-        for pose in (compose(frame, station.docking_in_frame), hand):
-            opening = GRIPPER.open_m if not held else _width(scene, held)
+        opening = GRIPPER.open_m if not held else _width(scene, held)
+        docking = compose(frame, station.docking_in_frame)
+        for pose in interpolate(docking, hand, np.linspace(0.0, 1.0, BETWEEN)):
             found.append(Posture(pose, opening, held, in_hand, dict(bodies), near))
         held, in_hand = _acted(station, hand, bodies, frames, in_hand)
     return found
