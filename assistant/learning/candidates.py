@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assistant.geometry import Array
+from assistant.learning.jolts import jolts
 from assistant.learning.signals import (
     GripperEvent,
     Minimum,
     gripper_events,
-    jolts,
     pace,
     speed_minima,
 )
@@ -75,7 +75,7 @@ def gather(
     speed = pace(smoothed, signals)
     events = gripper_events(demonstration.recording, signals)
     minima = speed_minima(smoothed.t_s, speed, signals)
-    shaken = jolts(demonstration.recording, smoothed, signals)
+    shaken = jolts(demonstration.recording, smoothed, settings.jolts)
     minima = tuple(sorted(minima, key=lambda spot: -spot.depth)[: signals.most_candidates])
     merged = _merged(events, minima, shaken, smoothed)
     inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]

@@ -234,4 +234,6 @@ def _lasting(
     lasting = np.maximum(between.lasting_s, 1e-3)
     off = np.log(lasting / usual)
     short = np.where(lasting < settings.validity.least_s, -3.0, 0.0)
+    if leaf.action.verb != "hand":
+        short -= settings.decoding.soon * np.maximum(np.log(0.15 * usual / lasting), 0.0)
     return np.asarray(-0.5 * settings.decoding.lasting * off**2 + short)

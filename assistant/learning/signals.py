@@ -1,4 +1,4 @@
-"""What single signals propose as cuts: gripper, speed, jolts of the hand (paper III-A).
+"""What single signals propose as cuts: gripper and speed (paper III-A).
 
 A new signal is one function from the motion to the instants it proposes.
 """
@@ -9,11 +9,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d, median_filter
 from scipy.signal import find_peaks
 
-from assistant.geometry import Array, angle_between
-from assistant.learning.smoothing import Smoothed, distinct
+from assistant.geometry import Array
+from assistant.learning.smoothing import Smoothed
 from assistant.model.demonstration import Recording
 from assistant.model.settings import SignalSettings
 
@@ -102,39 +101,46 @@ def speed_minima(t_s: Array, speed: Array, settings: SignalSettings) -> tuple[Mi
         if speed[at] > mean:
             continue
         left, right = int(found["left_edges"][k]), int(found["right_edges"][k])
+        spot = Minimum(
+            float(t_s[at]), float(found["prominences"][k]), float(t_s[at]), float(t_s[at])
+        )
         if resting[at]:
             left, right = _stretch(resting, int(at))
-        middle = 0.5 * float(t_s[left] + t_s[right]) if resting[at] else float(t_s[at])
-        spot = Minimum(middle, float(found["prominences"][k]), float(t_s[left]), float(t_s[right]))
+            begin, end = _rest(t_s, speed, left, right, settings.rest * mean)
+            spot = Minimum(0.5 * (begin + end), spot.depth, begin, end)
         known = kept.get((left, right))
         if known is None or known.depth < spot.depth:
             kept[left, right] = spot
     return tuple(kept.values())
 
 
-def jolts(recording: Recording, smoothed: Smoothed, settings: SignalSettings) -> Array:
-    """Return instants and strengths, shape (k, 2), of short turns of a hand that hardly moves.
+def _rest(t_s: Array, speed: Array, left: int, right: int, slow: float) -> tuple[float, float]:
+    """Return when the hand came to rest and when it left again, within a slow stretch."""
+    lowest = left + int(np.argmin(speed[left : right + 1]))
+    at_s = float(t_s[lowest])
+    begin = at_s - _sets_in(at_s - t_s[lowest::-1], speed[lowest::-1], slow)
+    end = at_s + _sets_in(t_s[lowest:] - at_s, speed[lowest:], slow)
+    return begin, end
 
-    A gripper that closes on a thing or lets it go turns the wrist a little for an instant;
-    where the gripper itself is not recorded this betrays it. The tracked orientation is
-    used, hardly smoothed: what lasts a quarter of a second is noise to the smoother.
+
+def _sets_in(away_s: Array, speed: Array, slow: float) -> float:
+    """Return after how long motion sets in, going away from a minimum of the speed.
+
+    The speed of a reach rises, and ends, with the square of time: its root, followed down from
+    two levels below the neighboring peak, points at the instant whatever the reach's length.
     """
-    t_s, path, _ = distinct(recording, settings.most_jolt_samples)
-    steps = np.diff(t_s)
-    if len(t_s) < 20 or float(np.median(steps)) > settings.jolt_step_s:
-        return np.zeros((0, 2))
-    step = float(np.median(steps))
-    turning = gaussian_filter1d(
-        angle_between(path[:-1], path[1:]) / np.maximum(steps, 0.5 * step), 0.05 / step
-    )
-    at_s = 0.5 * (t_s[:-1] + t_s[1:])
-    window = max(int(settings.jolt_window_s / step) | 1, 3)
-    speed = np.interp(at_s, smoothed.t_s, smoothed.speed)
-    moving = np.maximum(median_filter(speed, window) / (np.median(speed) + 1e-9), 1.0)
-    usual = median_filter(turning, window) + 0.5 * float(np.median(turning)) + 1e-3
-    rise = (turning / usual - 1.0) / moving
-    peaks, _ = find_peaks(rise, height=settings.jolt, distance=max(int(0.4 / step), 1))
-    return np.stack([at_s[peaks], rise[peaks]], axis=1)
+    highest = np.maximum.accumulate(speed)
+    fallen = np.flatnonzero((highest > slow) & (speed < 0.6 * highest))
+    peak = int(np.argmax(speed[: fallen[0]] if len(fallen) else speed))
+    rise = speed[peak] - speed[0]
+    crossings = []
+    for level in (0.04, 0.16):
+        below = int(np.flatnonzero(speed[: peak + 1] <= speed[0] + level * rise)[-1])
+        above = min(below + 1, len(speed) - 1)
+        gap = speed[above] - speed[below]
+        share = (speed[0] + level * rise - speed[below]) / gap if gap > 0.0 else 0.0
+        crossings.append(away_s[below] + share * (away_s[above] - away_s[below]))
+    return float(np.clip(2.0 * crossings[0] - crossings[1], 0.0, crossings[0]))
 
 
 def _stretch(inside: np.ndarray[tuple[int], np.dtype[np.bool_]], at: int) -> tuple[int, int]:

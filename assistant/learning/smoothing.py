@@ -24,8 +24,8 @@ from assistant.model.demonstration import Recording, frozen_array
 from assistant.model.settings import SmoothingSettings
 
 _PLACE_ONLY = np.array([[1.0, 0.0, 0.0]])
-_SAME_STEP = 0.01
-_SETTLED = 1e-9
+_SAME_STEP = 0.1
+_SETTLED = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -186,7 +186,8 @@ def _gains(steps: Array, moves: Array, noises: Array) -> tuple[Array, Array]:
         if not (settled and alike):
             _, ahead = predict(still, spread, moves[k - 1], noises[k - 1])
             _, after = update(still, ahead, np.zeros((1, 1)), np.eye(1), _PLACE_ONLY)
-            settled = alike and bool(np.allclose(after, spread, rtol=_SETTLED, atol=0.0))
+            change = np.abs(after - spread)
+            settled = alike and bool((change <= _SETTLED * np.abs(spread) + 1e-12).all())
             spread = after
         spreads[k] = spread
     # With the best gain, the gain is the first column of the filtered covariance over the noise.

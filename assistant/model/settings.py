@@ -118,15 +118,29 @@ class SignalSettings:
     """Share of the mean speed that counts as rest."""
     rest: float = 0.25
     """Below this share of the mean speed the hand rests."""
-    jolt: float = 1.5
-    """A short turn of a resting hand, in local medians of turning; the gripper's reaction."""
-    jolt_window_s: float = 1.5
-    jolt_step_s: float = 0.1
-    """Recordings with longer steps cannot show a jolt."""
-    most_jolt_samples: int = 20_000
     most_candidates: int = 100
     least_pace_m_s: float = 1e-4
     """A hand that never goes faster never moved."""
+
+
+@dataclass(frozen=True, slots=True)
+class JoltSettings:
+    """How short turns of a resting wrist betray a gripper that is not recorded.
+
+    Measured on people's teleoperation of a surgical arm; not from the paper.
+    """
+
+    least: float = 0.8
+    """In local medians of the turning rate."""
+    window_s: float = 1.5
+    width_s: float = 0.05
+    longest_step_s: float = 0.1
+    """Recordings with longer steps cannot show a jolt."""
+    most_samples: int = 20_000
+    open_after_s: float = 0.3
+    """Half of the travel comes this long after the jolt of letting go."""
+    close_before_s: float = 0.5
+    """Half of the travel lies this long before the jolt of gripping."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,8 +194,8 @@ class CueSettings:
     most_lag_s: float = 2.2
     step_s: float = 0.05
     usual_lag_s: float = 0.9
-    usual_lag_spread_s: float = 0.8
-    jitter_s: float = 0.2
+    usual_lag_spread_s: float = 0.9
+    jitter_s: float = 0.16
     false_share: float = 0.12
     least_missing: float = 0.1
 
@@ -193,21 +207,22 @@ class DecodingSettings:
     Fitted on made-up demonstrations and checked on people's; not from the paper.
     """
 
-    bias: float = -3.0
-    depth: float = 0.8
-    deepest: float = 3.0
-    rest: float = 1.0
-    bend: float = 0.5
-    gripper: float = 4.0
-    jolt: float = 2.5
+    bias: float = -3.3
+    depth: float = 0.63
+    deepest: float = 1.9
+    rest: float = 1.55
+    bend: float = 0.54
+    gripper: float = 3.6
+    jolt: float = 1.7
     part: float = 1.0
-    direction: float = 2.0
-    still: float = 1.0
+    direction: float = 2.4
+    still: float = 1.4
     wide: float = 8.0
-    nearing: float = 2.0
+    nearing: float = 1.3
     event: float = 4.0
     lasting: float = 0.7
-    skip: float = 6.0
+    soon: float = 0.5
+    skip: float = 4.5
     skip_optional: float = 2.0
     insert: float = 7.0
 
@@ -226,6 +241,7 @@ class SegmentationSettings:
     method: Literal["decode", "paper"] = "decode"
     smoothing: SmoothingSettings = field(default_factory=SmoothingSettings)
     signals: SignalSettings = field(default_factory=SignalSettings)
+    jolts: JoltSettings = field(default_factory=JoltSettings)
     votes: VoteSettings = field(default_factory=VoteSettings)
     validity: ValiditySettings = field(default_factory=ValiditySettings)
     cues: CueSettings = field(default_factory=CueSettings)
