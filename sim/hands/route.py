@@ -60,7 +60,7 @@ class Leg:
     opening_m : float
         Of the gripper at its end.
     kind : str
-        ``reach`` (free), ``pass`` (free, on the way to the next goal), ``careful`` (straight, slow),
+        ``reach`` (free), ``pass`` (free, to go on from), ``careful`` (straight, slow),
         ``grip`` (the gripper acts at rest), ``rest``.
     says : str
         What a teacher may point out at its end; may be empty.
