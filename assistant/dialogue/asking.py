@@ -69,6 +69,8 @@ def question(dialogue: Dialogue) -> RobotAct | None:
 def _ready(dialogue: Dialogue) -> RobotAct:
     speed = PRACTICE.slow if dialogue.pace == "slow" else PRACTICE.normal
     topic = f"ready_{dialogue.pace}" if not dialogue.agreed else "ready_agreed"
+    if topic == "ready_slow" and dialogue.runs:
+        topic = "ready_slow_again"
     return line(
         "ask",
         topic,

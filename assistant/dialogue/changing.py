@@ -18,7 +18,7 @@ from assistant.dialogue.correcting import (
     speed_of,
     too_much,
 )
-from assistant.dialogue.directions import depends_on_facing
+from assistant.dialogue.directions import depends_on_facing, direction_of
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.going_back import resettled
 from assistant.dialogue.state import Change, Dialogue, Knowledge, Pending, Ran, Ready, Running
@@ -142,6 +142,8 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
     slots = plain_feedback(feedback) | {"speed": round(100.0 * speed_of(known))}
     slots["size"] = round(abs(size(feedback)), 1)
     topic: str = feedback.kind
+    if topic in ("translate", "rotate"):
+        slots["direction"] = direction_of(known, feedback)
     if topic == "speed":
         topic = "faster" if feedback.factor > 1 else "slower"
         topic = f"{topic}_at" if primitive else topic

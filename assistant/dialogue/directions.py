@@ -12,6 +12,7 @@ import numpy as np
 from assistant.dialogue.state import Facing, Knowledge
 from assistant.geometry import Array, rotate_vector
 from assistant.geometry.quaternions import quat_inverse
+from assistant.model.feedback import Feedback
 from assistant.model.lesson import Station
 from assistant.model.task import primitives
 
@@ -64,6 +65,20 @@ def turn_in_world(direction: str, facing: Facing | None, hand_quat: Array) -> Ar
         return np.asarray(rotate_vector(hand_quat, np.array(_HAND_TURNS[direction])))
     axis = np.array(_WORLD_TURNS[direction])
     return -axis if facing == "facing" and direction in _LEANS else axis
+
+
+def direction_of(known: Knowledge, feedback: Feedback) -> str:
+    """Return the teacher's word that comes nearest to where a correction goes."""
+    station = station_of(known, feedback.primitive)
+    quat = frame_quat(known, station)
+    told = feedback.offset_m if feedback.kind == "translate" else feedback.turn_rad
+    vector = rotate_vector(quat, np.array(told))
+    if feedback.kind == "translate":
+        units = {word: move_in_world(word, known.facing) for word in _MOVES}
+    else:
+        turns = (*_WORLD_TURNS, *_HAND_TURNS)
+        units = {word: turn_in_world(word, known.facing, quat) for word in turns}
+    return max(units, key=lambda word: float(units[word] @ vector))
 
 
 def station_of(known: Knowledge, primitive: str) -> Station | None:

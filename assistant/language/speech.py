@@ -1,0 +1,52 @@
+"""The robot's lines in words: `says.yaml` of a language, filled from a line's slots."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Any
+
+from assistant.language.hints import page
+from assistant.language.wording import Wording
+from assistant.model.robot_acts import RobotAct
+
+
+def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) -> str:
+    """Return the sentence for a line.
+
+    Parameters
+    ----------
+    line : RobotAct
+        Its sentence is ``says.<act>.<topic>``; a topic such as ``optional.no_change`` falls
+        back to ``optional``, and one the phrasebook lacks to its own words.
+    language : str
+        ``english`` or ``german``, or ``en`` or ``de``.
+    brief : bool
+        Say less.
+    """
+    book = page("says", language)
+    template = _template(book["says"].get(line.act, {}), line.topic)
+    slots = dict(line.slots)
+    if line.about is not None:
+        slots.setdefault("name", line.about.name)
+    wording = Wording(book, slots)
+    if template is None:
+        return wording.fill(str(slots.get("reason", "")) or line.topic.replace("_", " "))
+    if isinstance(template, Mapping):
+        template = template["brief"] if brief and "brief" in template else template["full"]
+    return _tidy(wording.fill(template))
+
+
+def _template(topics: Mapping[str, Any], topic: str) -> Any:
+    """Return the most special sentence there is for a topic."""
+    while topic not in topics:
+        topic, dot, _ = topic.rpartition(".")
+        if not dot:
+            return None
+    return topics[topic]
+
+
+def _tidy(text: str) -> str:
+    """Return a sentence that begins with a capital and has no stray blanks."""
+    text = re.sub(r" +([.,;:?!])", r"\1", re.sub(r"(?<=\S) {2,}", " ", text)).strip()
+    return text[:1].upper() + text[1:]
