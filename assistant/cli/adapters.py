@@ -58,8 +58,9 @@ def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand
     from sim.hands import RecordedHand, ScriptedHand
 
     if step.recording is None:
-        cues = "auto" if step.cues is None else (*step.cues, *step.key_states)
-        return ScriptedHand(task, scene, setup, step.seed, cues)
+        if step.cues is None:
+            return ScriptedHand(task, scene, setup, step.seed)
+        return ScriptedHand(task, scene, setup, step.seed, (*step.cues, *step.key_states))
     path = Path(step.recording)
     if path.suffix == ".csv":
         shown = Demonstration(read_recording(path), step.cues or (), step.key_states, setup)

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from assistant.dialogue import asking, events
 from assistant.dialogue import effects as wanted
 from assistant.errors import BadInput, NothingLearned
-from assistant.learning.lesson import learn
 from assistant.model.motion import Refusal
 from assistant.session import keeping
 
@@ -89,6 +88,9 @@ def _from_start(session: Session) -> Refusal | None:
 
 def learned(session: Session, effect: wanted.Learn) -> events.Learned:
     """Learn, and tell why nothing was learned if so."""
+    # Smoothing takes a second to import; a session that never learns is spared it.
+    from assistant.learning.lesson import learn
+
     session.store.taught = effect.task
     try:
         lesson = learn(

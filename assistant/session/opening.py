@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
 
-from assistant.dialogue import events
+from assistant.dialogue import asking, events
 from assistant.files.finding import find_setups
 from assistant.files.library import Library
 from assistant.files.scenes import find_scene
@@ -134,7 +134,8 @@ def _tell_resumed(session: Session, fed: Fed) -> None:
     topic = "resumed" if fed.recorded_s is None else "resumed_recording"
     session.tell(RobotAct("report", topic, slots=MappingProxyType(slots)))
     if not fed.lines and not fed.owed and not motion_pending(session):
-        for line in session.dialogue.said:
+        asked = asking.question(session.dialogue)
+        for line in session.dialogue.said if asked is None else (asked,):
             session.tell(line)
 
 

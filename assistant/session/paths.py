@@ -15,7 +15,6 @@ from assistant.geometry import (
     quat_from_rotvec,
     quat_multiply,
 )
-from assistant.learning.adaptation import adapt, plan_adaptation
 from assistant.model.demonstration import Demonstration
 from assistant.model.motion import HandPath, HandStop, Indices
 from assistant.model.scene import Scene
@@ -36,7 +35,10 @@ NEAR_GRASP_M = 0.03
 
 def adapted(task: Task, scene: Scene, setup: Setup, speed: float) -> HandPath:
     """Return the learned path adapted to a setup (paper III-D a)."""
-    return adapt(plan_adaptation(task), scene, setup, speed=speed)
+    from assistant.learning.adaptation import adapt, plan_adaptation
+
+    path: HandPath = adapt(plan_adaptation(task), scene, setup, speed=speed)
+    return path
 
 
 def as_shown(task: Task, demonstration: Demonstration, speed: float) -> HandPath:

@@ -8,12 +8,13 @@ is never taken up again, only told of.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from assistant.dialogue import effects as wanted
 from assistant.dialogue import events
 from assistant.dialogue.machine import step
-from assistant.model.transcript import Happened, RobotLine, Step, TeacherLine
+from assistant.dialogue.state import Dialogue
+from assistant.model.transcript import Happened, Restart, RobotLine, Step, TeacherLine
 from assistant.session.happenings import from_happened
 from assistant.session.loop import Session
 from assistant.session.watching import Watching, read_back
@@ -40,11 +41,14 @@ class Fed:
         Whose answers are missing.
     recorded_s : float or None
         How much of a demonstration was being watched; None if none was.
+    before_leaving : Dialogue or None
+        Where the conversation stood when the teacher left it.
     """
 
     lines: list[wanted.Say] = field(default_factory=list)
     owed: list[wanted.Effect] = field(default_factory=list)
     recorded_s: float | None = None
+    before_leaving: Dialogue | None = None
 
 
 def feed(session: Session, steps: Sequence[Step]) -> Fed:
@@ -53,15 +57,27 @@ def feed(session: Session, steps: Sequence[Step]) -> Fed:
     for past in steps:
         if isinstance(past, RobotLine) and fed.lines:
             fed.lines.pop(0)
+        if isinstance(past, Restart):
+            _reopen(session, fed)
         event = _event(session, past)
         if event is not None:
             _take(session, fed, event, past)
+    _reopen(session, fed)
     if motion_pending(session):
         fed.owed = [one for one in fed.owed if not isinstance(one, wanted.Check)]
     if session.watching is not None:
         fed.recorded_s = session.watching.now_s
         session.watching.go_on()
     return fed
+
+
+def _reopen(session: Session, fed: Fed) -> None:
+    """Take back that the teacher left, or was about to: the conversation goes on."""
+    dialogue = fed.before_leaving or session.dialogue
+    if session.left or (dialogue.pending is not None and dialogue.pending.leave):
+        session.dialogue = replace(dialogue, pending=None, leaving=False)
+        fed.lines = []
+    session.left, fed.before_leaving = False, None
 
 
 def motion_pending(session: Session) -> bool:
@@ -84,10 +100,13 @@ def _take(session: Session, fed: Fed, event: events.Event, past: Step) -> None:
         at_s = past.at_s if isinstance(past, TeacherLine) else None
         session.watching.hear(event.text, event.understanding, at_s)
     _settle(session, fed, event)
+    before = session.dialogue
     session.dialogue, effects = step(session.dialogue, event)
     fed.lines = [effect for effect in effects if isinstance(effect, wanted.Say)]
     for effect in effects:
         _owe(session, fed, effect)
+    if session.left and fed.before_leaving is None:
+        fed.before_leaving = before
 
 
 def _settle(session: Session, fed: Fed, event: events.Event) -> None:

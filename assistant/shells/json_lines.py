@@ -22,7 +22,8 @@ from assistant.session.loop import Session
 from assistant.session.opening import chosen
 from assistant.session.saying import as_json
 
-STEPS = "demonstrate, setup or wait"
+KINDS = ("demonstrate", "setup", "wait")
+STEPS = '{"demonstrate": ...}, {"setup": ...} or {"wait": seconds or "rest"}'
 
 
 class JsonShell:
@@ -55,7 +56,8 @@ class JsonShell:
                 leave(session, "end of input")
                 return
             self._take(session, line)
-            self._ready(session)
+            if not session.left:
+                self._ready(session)
 
     def _read(self, session: Session, lines: Iterable[str]) -> None:
         # Read beside the conversation, so that a stop word is seen while time passes.
@@ -76,15 +78,8 @@ class JsonShell:
             else:
                 session.hear(line)
         except (BadInput, WorkFailed) as error:
-            self._tell(
-                {
-                    "act": "error",
-                    "asked": session.listening.asked,
-                    "about": None,
-                    "text": str(error),
-                    "stage": session.listening.stage,
-                }
-            )
+            asked = session.listening.asked
+            self.out(RobotAct("error", "step", asked), str(error))
 
     def _act(self, session: Session, step: Step) -> None:
         match step:
@@ -116,4 +111,6 @@ def step_of(line: str) -> Step:
         told = json.loads(line)
     except json.JSONDecodeError as error:
         raise BadInput.one("input", f"not JSON: {error}", f"a step: {STEPS}") from error
+    if not isinstance(told, dict) or len(told) != 1 or next(iter(told)) not in KINDS:
+        raise BadInput.one("input", f"{line[:60]!r} is not a step", f"one of {STEPS}")
     return one_step(told)

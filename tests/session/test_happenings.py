@@ -59,7 +59,7 @@ def test_an_event_comes_back_as_it_was(event: events.Event, tmp_path: Path) -> N
 
 
 def test_a_demonstration_comes_back_sample_by_sample(tmp_path: Path) -> None:
-    t_s = np.arange(20) * 0.02
+    t_s = 0.02 * np.arange(20, dtype=float)
     path = np.tile(np.array([0.4, 0.0, 0.6, 0.0, 0.0, 0.0, 1.0]), (20, 1))
     path[:, 0] += 0.01 * t_s
     shown = Demonstration(
