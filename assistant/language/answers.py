@@ -1,0 +1,155 @@
+"""What is left of an answer when its wrapping is taken off: names, counts and lists."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.templates import Bound, matches
+from assistant.language.words import Word, Words, said
+from assistant.model.teacher_acts import Asked, Inform
+
+LISTS: frozenset[Asked] = frozenset(("objects", "actions"))
+OPEN: frozenset[Asked] = frozenset(
+    (
+        "task_name",
+        "goal",
+        "subtask_count",
+        "subtask_name",
+        "objects",
+        "actions",
+        "missing_step",
+        "which",
+        "body",
+        "facing",
+    )
+)
+_ARTICLES = frozenset(("a", "an", "the"))
+_KEEP_ARTICLE: frozenset[Asked] = frozenset(("task_name", "goal", "subtask_name", "body", "facing"))
+
+
+def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
+    """Return the answer to the question asked; None if nothing is left of it."""
+    bare = trimmed(words, book)
+    if asked == "subtask_count":
+        return _count(bare or words, book)
+    core = _unwrapped(bare, asked, book)
+    if not core:
+        return None
+    if asked in LISTS:
+        items = _items(core, book)
+        return Inform(items) if items else None
+    if asked not in _KEEP_ARTICLE:
+        core = _without(core, _ARTICLES)
+    return Inform(said(core)) if core else None
+
+
+def trimmed(words: Words, book: Phrasebook) -> Words:
+    """Take hesitations and courtesies off both ends."""
+    heads, tails = book.answer_words["heads"], book.answer_words["tails"]
+    changed = True
+    while changed and words:
+        changed = False
+        for phrase in heads:
+            if len(phrase) < len(words) and _texts(words[: len(phrase)]) == phrase:
+                words, changed = words[len(phrase) :], True
+                break
+        for phrase in tails:
+            if len(phrase) < len(words) and _texts(words[-len(phrase) :]) == phrase:
+                words, changed = words[: -len(phrase)], True
+                break
+    return words
+
+
+def _unwrapped(words: Words, asked: Asked, book: Phrasebook) -> Words:
+    """Strip wrapping again and again until none is left."""
+    for _ in range(4):
+        best = _unwrapping(words, asked, book)
+        if best is None:
+            break
+        words = trimmed(words[best[1] : best[2]], book)
+    return words
+
+
+def _unwrapping(words: Words, asked: Asked, book: Phrasebook) -> tuple[str, int, int] | None:
+    """Return the value of the wrapping that explains most words."""
+    texts = _texts(words)
+    best: tuple[str, int, int] | None = None
+    for nodes in (*book.answers.get(asked, ()), *_common(asked, book)):
+        bound: Bound
+        for bound in matches(nodes, texts):
+            value = next((one for one in bound if one[0].startswith("value")), None)
+            if value and (best is None or value[2] - value[1] < best[2] - best[1]):
+                best = value
+            break
+    return best
+
+
+def _common(asked: Asked, book: Phrasebook) -> tuple[tuple[object, ...], ...]:
+    # A goal is a whole sentence: "it is on the target" must keep its beginning.
+    return () if asked == "goal" else book.answers["common"]  # type: ignore[return-value]
+
+
+def _count(words: Words, book: Phrasebook) -> Inform | None:
+    texts = _texts(words)
+    numbers = book.numbers
+    for at in range(len(texts)):
+        found = numbers.number(texts, at)
+        if found is not None and texts[at] not in ("first", "once", "second", "third"):
+            if found[0] == 1 and _is_none(texts, book):
+                return Inform(0)
+            if found[0] == int(found[0]) and 0 <= found[0] < 1000:
+                return Inform(int(found[0]))
+    if _is_none(texts, book):
+        return Inform(0)
+    if any(text in ("pair", "couple", "both", "double") for text in texts):
+        return Inform(2)
+    if "dozen" in texts:
+        return Inform(12)
+    return Inform(1) if texts and texts[0] in ("one", "single", "just") else None
+
+
+def _is_none(texts: Sequence[str], book: Phrasebook) -> bool:
+    joined = f" {' '.join(texts)} "
+    return any(f" {' '.join(phrase)} " in joined for phrase in book.answer_words["none"])
+
+
+def _items(words: Words, book: Phrasebook) -> tuple[str, ...]:
+    """Split a list at commas and joining words, articles taken off."""
+    parts: list[list[Word]] = [[]]
+    at = 0
+    joints = book.answer_words["list_joints"]
+    while at < len(words):
+        joint = next(
+            (phrase for phrase in joints if _texts(words[at : at + len(phrase)]) == phrase), None
+        )
+        if joint is not None:
+            parts.append([])
+            at += len(joint)
+            continue
+        if words[at].broken:
+            parts.append([])
+        parts[-1].append(words[at])
+        at += 1
+    items = (said(_without(_item(tuple(part), book), _ARTICLES)) for part in parts if part)
+    return tuple(item for item in items if item)
+
+
+def _item(words: Words, book: Phrasebook) -> Words:
+    heads = book.answer_words["item_heads"]
+    changed = True
+    while changed and len(words) > 1:
+        changed = False
+        for phrase in heads:
+            if len(phrase) < len(words) and _texts(words[: len(phrase)]) == phrase:
+                words, changed = words[len(phrase) :], True
+                break
+    return trimmed(words, book)
+
+
+def _without(words: Words, articles: frozenset[str]) -> Words:
+    return tuple(word for word in words if word.text not in articles) or words
+
+
+def _texts(words: Sequence[Word]) -> Phrase:
+    return tuple(word.text for word in words)

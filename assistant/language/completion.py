@@ -1,0 +1,33 @@
+"""What can be said now, with the task's own names: for help and for completing lines."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from assistant.language.phrasebook import phrasebook
+from assistant.model.listening import Listening
+
+
+def suggestions(listening: Listening, language: str = "english") -> tuple[str, ...]:
+    """Return sentences that are understood now, the likeliest first."""
+    told = phrasebook(language).suggestions
+    asked = told.get(listening.asked or "", ())
+    lines = (*asked, *told.get(listening.stage, ()), *told["always"])
+    filled = (one for line in lines for one in _filled(line, listening))
+    return tuple(dict.fromkeys(filled))
+
+
+@cache
+def _parts(line: str) -> tuple[str, str, str]:
+    before, slot, behind = line.partition("{subtask}")
+    if not slot:
+        before, slot, behind = line.partition("{object}")
+    return before, slot, behind
+
+
+def _filled(line: str, listening: Listening) -> tuple[str, ...]:
+    before, slot, behind = _parts(line)
+    if not slot:
+        return (line,)
+    names = listening.subtasks if slot == "{subtask}" else listening.objects
+    return tuple(f"{before}{name}{behind}" for name in names)

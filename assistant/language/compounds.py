@@ -1,0 +1,130 @@
+"""Sentences of several clauses, and speakers who correct themselves within one."""
+
+from __future__ import annotations
+
+from assistant.language.clauses import (
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    clause,
+    correction,
+    texts_of,
+)
+from assistant.language.motion import tags_of
+from assistant.language.words import Word, Words
+from assistant.model.teacher_acts import Stop
+
+_JOINTS = frozenset(("and", "then", "but", "also", "plus"))
+_GROUPS = {
+    "way": frozenset(
+        "left right up down forward backward clockwise counterclockwise up-er down-er high low"
+        " raise lower advance retreat".split()
+    ),
+    "amount": frozenset(("quantity", "little", "much")),
+    "pace": frozenset(("faster", "slower", "fast", "slow")),
+    "verb": frozenset(("turn", "tilt", "move")),
+}
+
+
+def compound(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the acts of clauses joined by commas or joining words; all must be understood."""
+    stop = _stopped(words, hearing)
+    joined = _joined(words, hearing, 4)
+    if stop is not None and (joined is None or joined.score < LIKELY):
+        return stop
+    return joined
+
+
+def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:
+    if depth == 0 or len(words) > 40:
+        return None
+    for at in range(1, len(words)):
+        joint = words[at].text in _JOINTS
+        if not (joint or words[at].broken):
+            continue
+        first = clause(words[:at], hearing)
+        if first is None or first.score < LIKELY:
+            continue
+        rest = words[at + 1 :] if joint else words[at:]
+        while len(rest) > 1 and rest[0].text in _JOINTS:
+            rest = rest[1:]
+        if not rest:
+            continue
+        second = clause(rest, hearing)
+        if second is None or second.score < LIKELY:
+            second = _joined(rest, hearing, depth - 1)
+        if second is not None and second.score >= LIKELY:
+            return Parse(first.acts + second.acts, min(first.score, second.score))
+    return None
+
+
+def _stopped(words: Words, hearing: Hearing) -> Parse | None:
+    """Return stop if the first or the last clause by itself says so, whatever the rest is."""
+    breaks = [at for at in range(1, len(words)) if words[at].broken]
+    if not breaks:
+        return None
+    for part in (words[: breaks[0]], words[breaks[-1] :]):
+        parse = clause(part, hearing)
+        if parse is not None and parse.acts == (Stop(),) and parse.score >= LIKELY:
+            return parse
+    return None
+
+
+def corrected(words: Words, hearing: Hearing) -> Parse | None:
+    """Return what is left when a speaker takes back what came before."""
+    texts = texts_of(words)
+    for phrase in hearing.book.correction:
+        size = len(phrase)
+        for at in range(len(texts) - size - 1, -1, -1):
+            if texts[at : at + size] != phrase or not words[at + size :]:
+                continue
+            found = _replaced(words[:at], words[at + size :], hearing, marked=words[at].broken)
+            if found is not None:
+                return found
+    return _contrasted(words, hearing)
+
+
+def _replaced(before: Words, behind: Words, hearing: Hearing, *, marked: bool) -> Parse | None:
+    """Put the new words where the same classes of words stood before."""
+    said = tags_of(texts_of(before), hearing.book, hearing.names)
+    new = tags_of(texts_of(behind), hearing.book, hearing.names)
+    groups = [group for group in _GROUPS.values() if any(tag.kind in group for tag in new)]
+    if groups and any(tag.kind in group for tag in said for group in groups[:1]):
+        kept = [t for t in said if not any(t.kind in g for g in groups)]
+        kept_words = tuple(word for tag in kept for word in tag.words)
+        merged = correction((*kept_words, *texts_of(behind)), hearing)
+        if merged is not None and merged.score >= LIKELY:
+            return Parse(merged.acts, merged.score - 0.02)
+    parse = clause(behind, hearing)
+    if parse is None or parse.score < LIKELY:
+        return None
+    earlier = clause(before, hearing) if before else None
+    understood = not before or (earlier is not None and earlier.score >= LIKELY)
+    if not (marked or understood):
+        return None
+    return Parse(parse.acts, SURE - 0.04 if understood else 0.8)
+
+
+def _contrasted(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "left, not right", "not left but right", "left instead of right"."""
+    texts = texts_of(words)
+    for phrase in (("not",), ("instead", "of"), ("rather", "than")):
+        for at in range(len(texts) - len(phrase)):
+            if texts[at : at + len(phrase)] != phrase:
+                continue
+            end = at + len(phrase)
+            while end < len(texts) and texts[end] in ("to", "the", "so", "too"):
+                end += 1
+            end += 1
+            while end < len(texts) and texts[end] in ("but", "rather"):
+                end += 1
+            kept: tuple[Word, ...] = words[:at] + words[end:]
+            dropped = tags_of(texts[at + len(phrase) : end], hearing.book, hearing.names)
+            turned = any(tag.kind in _GROUPS["way"] | _GROUPS["pace"] for tag in dropped)
+            left = tags_of(texts_of(kept), hearing.book, hearing.names)
+            if turned and any(tag.kind in _GROUPS["way"] | _GROUPS["pace"] for tag in left):
+                parse = correction(texts_of(kept), hearing)
+                if parse is not None and parse.score >= LIKELY:
+                    return Parse(parse.acts, parse.score - 0.03)
+    return None

@@ -1,0 +1,251 @@
+"""Corrections of speed, place and turn, read from classes of words in any order."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import cast
+
+from assistant.language.numbers import Quantity
+from assistant.language.phrasebook import Phrasebook
+from assistant.model.teacher_acts import (
+    AdjustSpeed,
+    Degree,
+    MoveDirection,
+    Rotate,
+    TeacherAct,
+    Translate,
+    TurnDirection,
+)
+
+OPPOSITE = {
+    "left": "right",
+    "right": "left",
+    "up": "down",
+    "down": "up",
+    "forward": "backward",
+    "backward": "forward",
+    "clockwise": "counterclockwise",
+    "counterclockwise": "clockwise",
+    "faster": "slower",
+    "slower": "faster",
+}
+_WAYS = {
+    **{way: way for way in OPPOSITE if way not in ("faster", "slower")},
+    "up-er": "up",
+    "down-er": "down",
+    "high": "up",
+    "low": "down",
+    "raise": "up",
+    "lower": "down",
+    "advance": "forward",
+    "retreat": "backward",
+}
+_PACES = {"faster": "faster", "fast": "faster", "slower": "slower", "slow": "slower"}
+LONGEST_PHRASE = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Tag:
+    """A stretch of words with the class it belongs to; class ``other`` is unexplained."""
+
+    kind: str
+    quantity: Quantity | None
+    words: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Acts read from a clause and how many of its words stayed unexplained."""
+
+    acts: tuple[TeacherAct, ...]
+    unexplained: int
+
+
+def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tuple[Tag, ...]:
+    """Return the classes of the words, longest phrases first."""
+    found: list[Tag] = []
+    at = 0
+    while at < len(words):
+        phrase = next(
+            (
+                tuple(words[at : at + size])
+                for size in range(min(LONGEST_PHRASE, len(words) - at), 0, -1)
+                if tuple(words[at : at + size]) in book.motion
+            ),
+            None,
+        )
+        quantity = book.numbers.quantity(words, at)
+        if quantity is not None and (phrase is None or quantity.end - at >= len(phrase)):
+            found.append(Tag("quantity", quantity, tuple(words[at : quantity.end])))
+            at = quantity.end
+        elif phrase is not None:
+            found.append(Tag(book.motion[phrase], None, phrase))
+            at += len(phrase)
+        else:
+            kind = "skip" if words[at] in names else "other"
+            found.append(Tag(kind, None, (words[at],)))
+            at += 1
+    return tuple(found)
+
+
+def read_motion(
+    words: Sequence[str], book: Phrasebook, names: frozenset[str] = frozenset()
+) -> Reading | None:
+    """Return what a clause asks to change in the motion; None if nothing of the kind."""
+    tags = tags_of(words, book, names)
+    kinds = [tag.kind for tag in tags]
+    unexplained = kinds.count("other")
+    if any(kind in _PACES or kind == "speed" for kind in kinds):
+        act = _speed(tags, words)
+        rest = [tag for tag in tags if tag.kind in _WAYS]
+        if act is None:
+            return None
+        return Reading((act,), unexplained + len([t for t in rest if t.kind not in _UPDOWN]))
+    ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
+    if not ways:
+        return None
+    groups = _groups(tags, ways)
+    acts: list[TeacherAct] = []
+    turning = any(kind in ("turn", "tilt") for kind in kinds)
+    for group in groups:
+        act = _displacement(group, turning=turning)
+        if act is None:
+            return None
+        acts.append(act)
+    acts = _same_unit(acts)
+    bare = len(tags) > 1 and not _said_motion(kinds) and "skip" in kinds
+    return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0))
+
+
+_UPDOWN = frozenset(("up", "down", "up-er", "down-er", "high", "low", "lower", "raise"))
+_SAYING = frozenset("turn tilt move quantity little much more less too not enough".split())
+
+
+def _said_motion(kinds: Sequence[str]) -> bool:
+    return any(kind in _SAYING or kind in ("up-er", "down-er", "raise", "lower") for kind in kinds)
+
+
+def _odd(kinds: Sequence[str]) -> bool:
+    """Tell whether words beside a bare direction make it doubtful ("it is right there")."""
+    return kinds.count("skip") > 2
+
+
+def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]:
+    """Cut a clause with several directions into one stretch a direction."""
+    distinct = [
+        at for n, at in enumerate(ways) if n == 0 or _way(tags, at) != _way(tags, ways[n - 1])
+    ]
+    if len(distinct) == 1:
+        return [tags]
+    cuts = [0]
+    for before, after in zip(distinct[:-1], distinct[1:], strict=True):
+        joints = [
+            at for at in range(before + 1, after) if tags[at].words[0] in ("and", "but", "then")
+        ]
+        cuts.append(joints[0] if joints else before + 1)
+    return [tags[a:b] for a, b in zip(cuts, [*cuts[1:], len(tags)], strict=True)]
+
+
+def _way(tags: Sequence[Tag], at: int) -> str:
+    return _WAYS[tags[at].kind]
+
+
+def _displacement(tags: Sequence[Tag], *, turning: bool) -> TeacherAct | None:
+    way = next((_WAYS[tag.kind] for tag in tags if tag.kind in _WAYS), None)
+    if way is None:
+        return None
+    if _flipped(tags):
+        way = OPPOSITE[way]
+    quantity = next((tag.quantity for tag in tags if tag.quantity), None)
+    kind = quantity.kind if quantity else ""
+    turning = (turning and kind != "m") or kind == "deg" or way.endswith("clockwise")
+    value = abs(quantity.value) if quantity and kind in ("m", "deg") else None
+    if quantity and kind == "" and turning:
+        value = abs(quantity.value)
+    degree = None if value is not None else _degree(tags)
+    if turning:
+        angle = None if value is None else _rounded(value)
+        return Rotate(cast("TurnDirection", way), degree, angle)
+    distance = None if value is None else _rounded(value)
+    return Translate(cast("MoveDirection", way), degree, distance)
+
+
+def _same_unit(acts: list[TeacherAct]) -> list[TeacherAct]:
+    return acts
+
+
+def _rounded(value: float) -> float:
+    return float(f"{value:.9g}")
+
+
+def _flipped(tags: Sequence[Tag]) -> bool:
+    kinds = [tag.kind for tag in tags]
+    if "enough" in kinds:
+        return False
+    return "too" in kinds or "not" in kinds or "less" in kinds
+
+
+def _degree(tags: Sequence[Tag]) -> Degree | None:
+    """Return little or much; "too far" and "not so much" only name the direction."""
+    found: list[str] = []
+    for at, tag in enumerate(tags):
+        if tag.kind not in ("little", "much"):
+            continue
+        before = tags[at - 1].kind if at else ""
+        if tag.kind == "much" and before in ("too", "so", "enough"):
+            continue
+        if tag.words == ("far",) or (tag.words == ("well",) and before):
+            behind = tags[at + 1].kind if at + 1 < len(tags) else ""
+            if behind != "too":
+                continue
+        found.append(tag.kind)
+    if not found:
+        return None
+    return "little" if "little" in found else "much"
+
+
+def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
+    pace = next((_PACES[tag.kind] for tag in tags if tag.kind in _PACES), None)
+    kinds = [tag.kind for tag in tags]
+    if pace is None:
+        pace = _pace_of_noun(kinds)
+    quantity = next((tag.quantity for tag in tags if tag.quantity), None)
+    if quantity is not None and quantity.kind in ("ratio", ""):
+        return AdjustSpeed(factor=_factor(quantity, pace, words))
+    if pace is None:
+        return AdjustSpeed(factor=1.0) if "normal" in kinds else None
+    if _flipped(tags):
+        pace = OPPOSITE[pace]
+    change = "faster" if pace == "faster" else "slower"
+    return AdjustSpeed(change="faster" if change == "faster" else "slower", degree=_degree(tags))
+
+
+def _pace_of_noun(kinds: Sequence[str]) -> str | None:
+    """Read "more speed", "speed is too high", "speed down"."""
+    for kind in kinds:
+        if kind in ("high", "up", "up-er", "raise", "more"):
+            return "faster"
+        if kind in ("low", "down", "down-er", "lower", "less"):
+            return "slower" if kind != "less" else "faster"
+    return None
+
+
+def _factor(quantity: Quantity, pace: str | None, words: Sequence[str]) -> float:
+    value = quantity.value
+    absolute = pace is None or "as" in words or ("to" in words and quantity.kind == "ratio")
+    if "speed" in words and quantity.kind == "" and value < 1 and "by" not in words:
+        absolute = True
+    if absolute:
+        slower = pace == "slower" and "as" in words and value > 1
+        return _rounded(1 / value if slower else value)
+    if quantity.kind == "ratio" or value < 1:
+        return _rounded(1 + value if pace == "faster" else 1 - value)
+    return _rounded(value if pace == "faster" else 1 / value)
+
+
+def with_degree(act: TeacherAct, degree: Degree) -> TeacherAct:
+    """Return the correction with a degree it did not have."""
+    if isinstance(act, Translate | Rotate | AdjustSpeed) and act.degree is None:
+        return replace(act, degree=degree)
+    return act

@@ -1,0 +1,74 @@
+"""Matches free names of steps and objects to those the task knows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+from assistant.language.numbers import NumberWords
+
+_ARTICLES = frozenset("the a an this that my our your its these those both".split())
+_STEP = frozenset("step subtask part primitive phase action one stage number".split())
+_LAST = frozenset(("last", "final"))
+_GENERIC = frozenset("object target it thing onto on to of the a an and with into from".split())
+_ENDINGS = re.compile(r"(?:ing|ed|es|s|e)$")
+
+
+def without_article(words: Sequence[str]) -> tuple[str, ...]:
+    """Return the words without articles in front."""
+    at = 0
+    while at < len(words) - 1 and words[at] in _ARTICLES:
+        at += 1
+    return tuple(words[at:])
+
+
+def known_name(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
+    """Return the known name the words refer to, by place or by likeness; None if unclear."""
+    bare = without_article(words)
+    if not names or not bare:
+        return None
+    placed = _by_place(bare, names, numbers)
+    if placed is not None:
+        return placed
+    spoken = " ".join(bare)
+    if spoken in names:
+        return spoken
+    scores = sorted(((_likeness(bare, name), name) for name in names), reverse=True)
+    best = scores[0]
+    if best[0] < 0.5 or (len(scores) > 1 and scores[1][0] > best[0] - 0.04):
+        return None
+    return best[1]
+
+
+def _by_place(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
+    rest = [word for word in words if word not in _STEP]
+    if len(rest) != 1 or (len(words) == 1 and words[0] not in numbers.ordinals):
+        return None
+    if rest[0] in _LAST:
+        return names[-1]
+    place = numbers.ordinal(rest, 0) or numbers.number(rest, 0)
+    if place is None or not 1 <= place[0] <= len(names):
+        return None
+    return names[int(place[0]) - 1]
+
+
+def _likeness(words: Sequence[str], name: str) -> float:
+    said, known = _stems(words), _stems(name.lower().split())
+    if not said or not known:
+        return 0.0
+    common = said & known
+    if not common:
+        return 0.0
+    return len(common) / len(said) * 0.75 + 0.25 * len(common) / len(known)
+
+
+def _stems(words: Sequence[str]) -> set[str]:
+    content = [word for word in words if word not in _GENERIC and word not in _STEP]
+    return {_stem(word) for word in (content or words)}
+
+
+def _stem(word: str) -> str:
+    stem = _ENDINGS.sub("", word) if len(word) > 3 else word
+    if len(stem) > 3 and stem[-1] == stem[-2]:
+        stem = stem[:-1]
+    return stem

@@ -1,0 +1,175 @@
+"""Numbers and quantities in words: "two and a half centimetres", "a quarter turn", "-248.6"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+Kind = Literal["m", "deg", "ratio", "s", ""]
+_DIGITS = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)$")
+_ORDINAL = re.compile(r"(\d+)(?:st|nd|rd|th)$")
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number with the kind of its unit: metres, degrees, a ratio, seconds, or none."""
+
+    value: float
+    kind: Kind
+    end: int
+    unit: float = 0.0
+
+
+@dataclass(frozen=True)
+class NumberWords:
+    """The words a language counts with."""
+
+    ones: Mapping[str, int]
+    tens: Mapping[str, int]
+    also: Mapping[tuple[str, ...], float]
+    ordinals: Mapping[str, int]
+    fractions: Mapping[str, float]
+    units: Mapping[str, tuple[Kind, float]]
+    hundred: frozenset[str]
+    joiners: frozenset[str]
+    articles: frozenset[str]
+    points: frozenset[str]
+    minus: frozenset[str]
+
+    def number(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
+        """Return the number that begins at `at` and where it ends."""
+        if at < len(words) and words[at] in self.minus:
+            found = self.number(words, at + 1)
+            return None if found is None else (-found[0], found[1])
+        found = self._fraction_of(words, at) or self._whole(words, at)
+        return None if found is None else self._and_fraction(words, *found)
+
+    def quantity(self, words: Sequence[str], at: int) -> Quantity | None:
+        """Return the number with its unit; "half an inch", "a quarter turn", "an inch"."""
+        found = self.number(words, at)
+        if found is None:
+            unit = self.units.get(words[at + 1]) if at + 1 < len(words) else None
+            if unit and unit[0] in ("m", "s") and words[at] in self.articles:
+                return self._with_fraction_behind(words, unit, 1.0, at + 2)
+            return None
+        value, end = found
+        while end < len(words) and words[end] in ("of", "a", "an", "more"):
+            following = (
+                end + 1 + (words[end] == "of" and words[end + 1 : end + 2] in (["a"], ["an"]))
+            )
+            if following < len(words) and words[following] in self.units:
+                end = following
+                break
+            return Quantity(value, "", found[1])
+        unit = self.units.get(words[end]) if end < len(words) else None
+        if unit is None:
+            return Quantity(value, "", found[1])
+        return self._with_fraction_behind(words, unit, value, end + 1)
+
+    def _with_fraction_behind(
+        self, words: Sequence[str], unit: tuple[Kind, float], value: float, end: int
+    ) -> Quantity:
+        """Read on: "an inch and a half"."""
+        if end + 2 < len(words) and words[end] in self.joiners and words[end + 1] in self.articles:
+            part = self.fractions.get(words[end + 2])
+            if part is not None:
+                value, end = value + part, end + 3
+        return Quantity(value * unit[1], unit[0], end, unit[1])
+
+    def ordinal(self, words: Sequence[str], at: int) -> tuple[int, int] | None:
+        """Return the place ("third", "3rd") at `at` and where it ends."""
+        if at >= len(words):
+            return None
+        match = _ORDINAL.match(words[at])
+        if match:
+            return int(match.group(1)), at + 1
+        place = self.ordinals.get(words[at])
+        return None if place is None else (place, at + 1)
+
+    def number_ends(self, words: Sequence[str], at: int) -> Iterator[int]:
+        """Yield where a number at `at` ends, as templates want it."""
+        found = self._whole(words, at)
+        if found is not None:
+            yield found[1]
+
+    def ordinal_ends(self, words: Sequence[str], at: int) -> Iterator[int]:
+        """Yield where an ordinal at `at` ends, as templates want it."""
+        found = self.ordinal(words, at)
+        if found is not None:
+            yield found[1]
+
+    def _fraction_of(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
+        """Read "half", "a quarter", "three quarters"."""
+        start = at + 1 if at < len(words) and words[at] in self.articles else at
+        part = self.fractions.get(words[start]) if start < len(words) else None
+        if part is not None:
+            return part, start + 1
+        count = self._whole(words, at)
+        if count is None or count[1] >= len(words):
+            return None
+        part = self.fractions.get(words[count[1]])
+        return None if part is None else (count[0] * part, count[1] + 1)
+
+    def _and_fraction(self, words: Sequence[str], value: float, end: int) -> tuple[float, int]:
+        """Read on after a whole number: "and a half", "point five"."""
+        if end < len(words) and words[end] in self.points:
+            digits = ""
+            at = end + 1
+            while at < len(words) and (words[at] in self.ones or words[at].isdigit()):
+                digits += str(self.ones.get(words[at], words[at]))
+                at += 1
+            if digits:
+                return float(f"{value:g}.{digits}"), at
+        if end + 1 < len(words) and words[end] in self.joiners:
+            start = end + 2 if words[end + 1] in self.articles else end + 1
+            part = self.fractions.get(words[start]) if start < len(words) else None
+            if part is not None:
+                return value + part, start + 1
+            count = self.ones.get(words[end + 1])
+            part = self.fractions.get(words[end + 2]) if end + 2 < len(words) else None
+            if count is not None and part is not None:
+                return value + count * part, end + 3
+        return value, end
+
+    def _whole(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
+        for phrase, value in self.also.items():
+            if tuple(words[at : at + len(phrase)]) == phrase:
+                return value, at + len(phrase)
+        if at < len(words) and _DIGITS.match(words[at]):
+            return self._digits(words, at)
+        if at + 1 < len(words) and words[at] in self.points and words[at + 1] in self.ones:
+            return self._and_fraction(words, 0.0, at)
+        return self._spelled(words, at)
+
+    def _digits(self, words: Sequence[str], at: int) -> tuple[float, int]:
+        if at + 1 < len(words) and words[at + 1] in self.hundred:
+            return float(words[at]) * 100.0, at + 2
+        return float(words[at]), at + 1
+
+    def _spelled(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
+        """Read "twenty five", "a hundred and ten"."""
+        total, end, seen = 0.0, at, False
+        small = self._below_hundred(words, at)
+        if small is not None:
+            total, end, seen = float(small[0]), small[1], True
+        elif at + 1 < len(words) and words[at] in self.articles and words[at + 1] in self.hundred:
+            total, end = 1.0, at + 1
+        if end < len(words) and words[end] in self.hundred:
+            total, end, seen = (total or 1.0) * 100.0, end + 1, True
+            start = end + 1 if end < len(words) and words[end] in self.joiners else end
+            rest = self._below_hundred(words, start)
+            if rest is not None:
+                total, end = total + rest[0], rest[1]
+        return (total, end) if seen else None
+
+    def _below_hundred(self, words: Sequence[str], at: int) -> tuple[int, int] | None:
+        if at >= len(words):
+            return None
+        tens = self.tens.get(words[at])
+        if tens is None:
+            ones = self.ones.get(words[at])
+            return None if ones is None else (ones, at + 1)
+        more = self.ones.get(words[at + 1]) if at + 1 < len(words) else None
+        return (tens + more, at + 2) if more is not None and 0 < more < 10 else (tens, at + 1)

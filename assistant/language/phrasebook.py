@@ -1,0 +1,193 @@
+"""The words of a language, read once from ``hears.yaml`` and kept ready for matching."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, cast
+
+from assistant.errors import BadInput
+from assistant.language.numbers import Kind, NumberWords
+from assistant.language.templates import Node, Reader, all_words, compiled, first_words
+from assistant.plain_yaml import read_file
+
+LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
+Phrase = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """A way to say an act, compiled; `first` holds the words it can begin with."""
+
+    act: str
+    slots: Mapping[str, Any]
+    nodes: tuple[Node, ...]
+    first: frozenset[str] | None
+    stages: frozenset[str]
+    asked: frozenset[str]
+    extra: str
+    template: str
+
+
+@dataclass(frozen=True)
+class Phrasebook:
+    """All that a language's teachers may say."""
+
+    contractions: Mapping[str, Phrase]
+    fillers: frozenset[Phrase]
+    opening: frozenset[Phrase]
+    closing: frozenset[Phrase]
+    correction: tuple[Phrase, ...]
+    numbers: NumberWords
+    motion: Mapping[Phrase, str]
+    where: Mapping[str, tuple[Phrase, ...]]
+    chat: frozenset[str]
+    homophones: Mapping[Phrase, Phrase]
+    sentences: tuple[Sentence, ...]
+    by_first: Mapping[str, tuple[Sentence, ...]]
+    answers: Mapping[str, tuple[tuple[Node, ...], ...]]
+    answer_words: Mapping[str, tuple[Phrase, ...]]
+    vocabulary: frozenset[str]
+    suggestions: Mapping[str, tuple[str, ...]]
+
+
+@cache
+def phrasebook(language: str = "english") -> Phrasebook:
+    """Return the phrasebook of a language, read once.
+
+    Raises
+    ------
+    BadInput
+        If there is no phrasebook of that language.
+    """
+    folder = LANGUAGES.get(language.lower())
+    if folder is None:
+        raise BadInput.one("language", f"unknown language {language!r}", "english or german")
+    path = Path(__file__).parent / folder / "hears.yaml"
+    return _made(cast("dict[str, Any]", read_file(path)[0].value))
+
+
+def _made(book: Mapping[str, Any]) -> Phrasebook:
+    numbers = _numbers(book["numbers"])
+    readers: dict[str, Reader] = {"n": numbers.number_ends, "nth": numbers.ordinal_ends}
+    made: dict[str, Node] = {}
+    sentences = tuple(_sentences(book, readers, made))
+    wrappings = ("tails", "heads", "list_joints", "item_heads", "none")
+    answers = {
+        asked: tuple(compiled(line, book["rules"], readers, made) for line in _lines(told))
+        for asked, told in book["answers"].items()
+        if asked not in wrappings
+    }
+    motion = {phrase: kind for kind, told in book["motion"].items() for phrase in _phrases(told)}
+    opening, closing = _phrases(book["opening"]), _phrases(book["closing"])
+    vocabulary = {word for one in sentences for word in all_words(one.nodes)}
+    vocabulary |= {word for phrase in (*motion, *opening, *closing) for word in phrase}
+    vocabulary |= {*numbers.ones, *numbers.tens, *numbers.units, *numbers.fractions}
+    vocabulary |= {*numbers.ordinals, *_phrase_words(numbers.also)}
+    return Phrasebook(
+        contractions={key: tuple(value.split()) for key, value in _pairs(book["contractions"])},
+        fillers=frozenset(_phrases(book["fillers"])),
+        opening=frozenset(opening),
+        closing=frozenset(closing),
+        correction=tuple(sorted(_phrases(book["correction"]), key=len, reverse=True)),
+        numbers=numbers,
+        motion=motion,
+        where={name: _longest_first(told) for name, told in book["where"].items()},
+        chat=frozenset(word for phrase in _phrases(book["chat"]) for word in phrase[:1]),
+        homophones={
+            tuple(key.split()): tuple(value.split()) for key, value in _pairs(book["homophones"])
+        },
+        sentences=sentences,
+        by_first=_index(sentences),
+        answers=answers,
+        answer_words={name: _longest_first(book["answers"][name]) for name in wrappings}
+        | {f"pose_{name}": _longest_first(told) for name, told in book["poses"].items()}
+        | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
+        vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
+        suggestions={
+            key: tuple(" ".join(phrase) for phrase in _phrases(told))
+            for key, told in book["suggestions"].items()
+        },
+    )
+
+
+def _sentences(
+    book: Mapping[str, Any], readers: Mapping[str, Reader], made: dict[str, Node]
+) -> Iterable[Sentence]:
+    for entry in book["sentences"]:
+        extra = next(
+            (key for key in ("text", "list", "number", "seconds", "ratio") if key in entry), ""
+        )
+        for line in _lines(entry["say"]):
+            nodes = compiled(line, book["rules"], readers, made)
+            yield Sentence(
+                act=entry["act"],
+                slots=entry.get("slots", {}),
+                nodes=nodes,
+                first=first_words(nodes),
+                stages=frozenset(entry.get("stage", "").split()),
+                asked=frozenset(entry.get("asked", "").split()),
+                extra=extra,
+                template=line,
+            )
+
+
+def _index(sentences: Sequence[Sentence]) -> dict[str, tuple[Sentence, ...]]:
+    """Group sentences by the word they begin with; ``""`` holds those that begin freely."""
+    found: dict[str, list[Sentence]] = {"": []}
+    for sentence in sentences:
+        for word in sentence.first if sentence.first is not None else ("",):
+            found.setdefault(word, []).append(sentence)
+    return {word: tuple(ones) for word, ones in found.items()}
+
+
+def _numbers(told: Mapping[str, Any]) -> NumberWords:
+    ones = {word: value for value, word in enumerate(told["ones"].split())}
+    tens = {word: 10 * value for value, word in enumerate(told["tens"].split(), start=2)}
+    ordinals = {word: value for value, word in enumerate(told["ordinals"].split(), start=1)}
+    units: dict[str, tuple[Kind, float]] = {}
+    for key, names in _pairs(told["units"]):
+        kind, factor = key.split(":")
+        for name in names.split(","):
+            units[name.strip()] = (cast("Kind", kind.strip()), float(factor))
+    also = {tuple(key.split()): float(value) for key, value in _pairs(told["also"])}
+    return NumberWords(
+        ones=ones,
+        tens=tens,
+        also=dict(sorted(also.items(), key=lambda item: -len(item[0]))),
+        ordinals=ordinals,
+        fractions={key: float(value) for key, value in _pairs(told["fractions"])},
+        units=units,
+        hundred=frozenset(told["hundred"].split()),
+        joiners=frozenset(told["and"].split()),
+        articles=frozenset(told["a"].split()),
+        points=frozenset(told["point"].split()),
+        minus=frozenset(told["minus"].split()),
+    )
+
+
+def _lines(text: str) -> list[str]:
+    return [line.strip() for line in text.splitlines() if line.strip()]
+
+
+def _pairs(text: str) -> list[tuple[str, str]]:
+    parts = (line.partition(" = ") for line in _lines(text))
+    return [
+        (key.strip().strip("'") if len(key) == 3 else key.strip(), value.strip())
+        for key, _, value in parts
+    ]
+
+
+def _phrases(text: str) -> list[Phrase]:
+    joined = " ".join(text.split())
+    return [tuple(phrase.split()) for phrase in joined.split(",") if phrase.strip()]
+
+
+def _longest_first(text: str) -> tuple[Phrase, ...]:
+    return tuple(sorted(_phrases(text), key=len, reverse=True))
+
+
+def _phrase_words(phrases: Iterable[Phrase]) -> set[str]:
+    return {word for phrase in phrases for word in phrase}

@@ -1,0 +1,213 @@
+"""Places told in words: "the block is at 533, 270, 300 turned by 15 degrees"."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+from assistant.language.motion import tags_of
+from assistant.language.naming import without_article
+from assistant.language.numbers import Quantity
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import SetPose
+
+_AXES = {"x": 0, "y": 1, "z": 2}
+_ANGLES = {"roll": 0, "pitch": 1, "yaw": 2}
+_STEPS = {
+    "left": (0.0, 1.0, 0.0),
+    "right": (0.0, -1.0, 0.0),
+    "forward": (1.0, 0.0, 0.0),
+    "backward": (-1.0, 0.0, 0.0),
+    "up": (0.0, 0.0, 1.0),
+    "down": (0.0, 0.0, -1.0),
+    "up-er": (0.0, 0.0, 1.0),
+    "down-er": (0.0, 0.0, -1.0),
+    "high": (0.0, 0.0, 1.0),
+    "low": (0.0, 0.0, -1.0),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class PoseReading:
+    """A place and how many words stayed unexplained."""
+
+    act: SetPose
+    unexplained: int
+
+
+@dataclass(frozen=True, slots=True)
+class _Number:
+    quantity: Quantity
+    before: str
+    start: int
+    angular: bool
+
+
+def read_pose(
+    words: Sequence[str], broken: Sequence[bool], listening: Listening, book: Phrasebook
+) -> PoseReading | None:
+    """Return the place a clause tells; None if it tells none."""
+    if not any(char.isdigit() for word in words for char in word) and not any(
+        word in book.numbers.ones or word in book.numbers.tens or word in ("half", "a", "an")
+        for word in words
+    ):
+        return None
+    body = _body(words, listening, book)
+    if body is None and listening.asked != "pose":
+        return None
+    numbers = _numbers(words, broken, book)
+    lengths = [one for one in numbers if not one.angular]
+    angles = [one for one in numbers if one.angular]
+    name = body[0] if body else _only(listening)
+    position = _position(lengths)
+    turned = _turned(angles, words)
+    by = None if position else _by(words, book)
+    if by is None and position is None and (turned is None or body is None):
+        return None
+    if (
+        position is None
+        and by is not None
+        and body is not None
+        and not _told(words, book, listening)
+    ):
+        return None
+    spent = {at for one in numbers for at in range(one.start, one.quantity.end)}
+    spent |= set(range(body[1], body[2])) if body else set()
+    known = {word for phrase in book.answer_words["pose_fillers"] for word in phrase}
+    left = [
+        word
+        for at, word in enumerate(words)
+        if at not in spent and word not in known and (word,) not in book.motion
+    ]
+    return PoseReading(SetPose(name, position, None if by else turned, by), len(left))
+
+
+def _only(listening: Listening) -> str:
+    return listening.objects[0] if len(listening.objects) == 1 else ""
+
+
+def _told(words: Sequence[str], book: Phrasebook, listening: Listening) -> bool:
+    """Tell a place from a correction: "the block is ... left", not "move the block left"."""
+    return listening.asked == "pose" or any(
+        word in ("is", "are", "was", "sits", "lies", "stands", "been", "should", "target", "goal")
+        for word in words
+    )
+
+
+def _body(
+    words: Sequence[str], listening: Listening, book: Phrasebook
+) -> tuple[str, int, int] | None:
+    """Return the body named and where its words are."""
+    for name in sorted(listening.objects, key=len, reverse=True):
+        parts = name.lower().split()
+        for at in range(len(words) - len(parts) + 1):
+            if list(words[at : at + len(parts)]) == parts:
+                return name, at, at + len(parts)
+    bodies = {word for phrase in book.answer_words["pose_bodies"] for word in phrase}
+    for at, word in enumerate(words):
+        if word in bodies:
+            start = _noun_start(words, at)
+            name = " ".join(without_article(words[start : at + 1]))
+            similar = next((one for one in listening.objects if word in one.lower().split()), name)
+            return similar, start, at + 1
+    return None
+
+
+def _noun_start(words: Sequence[str], at: int) -> int:
+    """Return where a noun phrase with its adjectives begins: after the article."""
+    for start in range(at - 1, max(at - 4, -1), -1):
+        if words[start] in ("the", "a", "my", "our", "your", "this", "that"):
+            return start
+    return at
+
+
+def _numbers(words: Sequence[str], broken: Sequence[bool], book: Phrasebook) -> list[_Number]:
+    turning = {word for phrase in book.answer_words["pose_turning"] for word in phrase}
+    found: list[_Number] = []
+    at = 0
+    axis = ""
+    turned = False
+    while at < len(words):
+        word = words[at]
+        quantity = None if word in ("a", "an") else book.numbers.quantity(words, at)
+        if quantity is None:
+            axis = word if word in _AXES or word in _ANGLES else ("" if word == "and" else axis)
+            turned = (turned or word in turning or word in _ANGLES) and word not in _AXES
+            at += 1
+            continue
+        angular = quantity.kind == "deg" or (turned and quantity.kind == "")
+        found.append(_Number(quantity, axis, at, angular))
+        axis = ""
+        at = quantity.end
+    return found
+
+
+def _position(lengths: Sequence[_Number]) -> tuple[float, float, float] | None:
+    if len(lengths) != 3:
+        return None
+    kinds = [one.quantity.kind for one in lengths]
+    unit = _shared_unit(lengths)
+    values = [
+        one.quantity.value * (1000.0 if kind == "m" else unit)
+        for one, kind in zip(lengths, kinds, strict=True)
+    ]
+    places = [_AXES.get(one.before, at) for at, one in enumerate(lengths)]
+    if sorted(places) != [0, 1, 2]:
+        places = [0, 1, 2]
+    ordered = dict(zip(places, values, strict=True))
+    return _clean(ordered[0]), _clean(ordered[1]), _clean(ordered[2])
+
+
+def _shared_unit(lengths: Sequence[_Number]) -> float:
+    """Return mm a bare number stands for, when only the last has a unit ("53, 27 and 30 cm")."""
+    last = lengths[-1].quantity
+    if last.kind != "m" or all(one.quantity.kind == "m" for one in lengths):
+        return 1.0
+    return 1.0 if last.value > 1.5 else _unit_mm(last)
+
+
+def _unit_mm(quantity: Quantity) -> float:
+    return quantity.unit * 1000.0 if quantity.unit else 1.0
+
+
+def _turned(angles: Sequence[_Number], words: Sequence[str]) -> tuple[float, float, float] | None:
+    if not angles:
+        return None
+    if len(angles) == 3 or any(one.before in _ANGLES for one in angles):
+        turned = [0.0, 0.0, 0.0]
+        for at, one in enumerate(angles[:3]):
+            place = _ANGLES.get(one.before, at if len(angles) == 3 else 2)
+            turned[place] = _clean(one.quantity.value)
+        return turned[0], turned[1], turned[2]
+    yaw = _clean(angles[0].quantity.value)
+    behind = set(words[angles[0].quantity.end :]) | set(words[: angles[0].start][-3:])
+    sign: Literal[1, -1] = -1 if behind & {"right", "clockwise", "rightwards"} else 1
+    return 0.0, 0.0, sign * yaw
+
+
+def _by(words: Sequence[str], book: Phrasebook) -> tuple[float, float, float] | None:
+    """Return a displacement: "ten centimetres further left and five forward"."""
+    total = [0.0, 0.0, 0.0]
+    held: float | None = None
+    step: tuple[float, float, float] | None = None
+    seen = False
+    for tag in tags_of(words, book, frozenset()):
+        if tag.quantity is not None and tag.quantity.kind == "m":
+            held = tag.quantity.value * 1000.0
+        elif tag.kind in _STEPS:
+            step = _STEPS[tag.kind]
+        if held is not None and step is not None:
+            total = [have + held * part for have, part in zip(total, step, strict=True)]
+            held, step, seen = None, None, True
+    return (_clean(total[0]), _clean(total[1]), _clean(total[2])) if seen else None
+
+
+def _clean(value: float) -> float:
+    return float(f"{value:.9g}") + 0.0
+
+
+def pose_words(book: Phrasebook) -> tuple[Phrase, ...]:
+    """Return the words that tell places, for repair."""
+    return book.answer_words["pose_turning"]

@@ -1,0 +1,101 @@
+"""Repairs spelling word by word, and puts back words that sound the same.
+
+Whole sentences are never compared loosely: only a word that is in no list is replaced, and
+only by the one vocabulary word near it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+from rapidfuzz import process
+from rapidfuzz.distance import OSA
+
+from assistant.language.phrasebook import Phrasebook
+from assistant.language.words import Word, Words
+
+_SHORTEST = 4
+
+
+def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
+    """Return the words with misspelled ones replaced by the vocabulary's."""
+    known = book.vocabulary | {part for name in names for part in name.lower().split()}
+    return tuple(
+        Word(_nearest(word.text, frozenset(known)), word.said, word.broken)
+        if word.text.isalpha() and word.text not in known and word.text not in book.chat
+        else word
+        for word in words
+    )
+
+
+@lru_cache(maxsize=4096)
+def _nearest(text: str, known: frozenset[str]) -> str:
+    once = _unstretched(text)
+    if once in known:
+        return once
+    if len(text) < _SHORTEST:
+        return _TYPOS.get(text, text)
+    far = 1 if len(text) < 7 else 2
+    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=6)
+    ranked = sorted(
+        (
+            distance
+            + (0.0 if word[0] == text[0] else 0.6)
+            + (0.0 if word[-1] == text[-1] else 0.2),
+            word,
+        )
+        for word, distance, _ in near
+        if len(word) >= _SHORTEST - 1
+    )
+    if not ranked or ranked[0][0] > far + 0.3:
+        return text
+    if len(ranked) > 1 and ranked[1][0] - ranked[0][0] < 0.1:
+        return text
+    return ranked[0][1]
+
+
+_TYPOS = {
+    "teh": "the", "hte": "the", "adn": "and", "nad": "and", "yuo": "you", "ahnd": "hand",
+    "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop", "sto": "stop",
+    "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open", "cls": "close",
+    "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right", "ok": "ok",
+    "yse": "yes", "eys": "yes", "ye": "yes", "yse": "yes", "og": "go", "pu": "up", "don": "done",
+    "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
+}  # fmt: skip
+
+
+def _unstretched(text: str) -> str:
+    """Return the word without letters repeated for emphasis: "stoooop"."""
+    kept = ""
+    for char in text:
+        if not kept.endswith(char * 2) or kept == "":
+            kept += char
+    single = "".join(char for at, char in enumerate(text) if at == 0 or text[at - 1] != char)
+    return single if kept != text else text
+
+
+def homophones(words: Words, book: Phrasebook) -> Words:
+    """Return the words with those replaced that recognizers take for others."""
+    found: list[Word] = []
+    at = 0
+    while at < len(words):
+        size = next(
+            (
+                size
+                for size in (4, 3, 2, 1)
+                if tuple(word.text for word in words[at : at + size]) in book.homophones
+                and len(words[at : at + size]) == size
+            ),
+            0,
+        )
+        if not size:
+            found.append(words[at])
+            at += 1
+            continue
+        meant = book.homophones[tuple(word.text for word in words[at : at + size])]
+        said = " ".join(word.said for word in words[at : at + size])
+        found.append(Word(meant[0], said, words[at].broken))
+        found.extend(Word(one, "") for one in meant[1:])
+        at += size
+    return tuple(found)

@@ -1,0 +1,68 @@
+"""Stop words, looked for in raw input while the arm moves: no grammar, no context.
+
+Anything that could be a stop word is one, "don't stop" and misspellings included. A false
+stop costs a start; a missed one costs more.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+
+from rapidfuzz.distance import OSA
+
+_STOPS = {
+    "english": ("stop", "halt", "freeze", "whoa", "woah", "cease", "abort", "emergency"),
+    "german": ("stop", "stopp", "halt", "anhalten", "aufhören", "abbrechen", "notaus", "nothalt"),
+}
+_PHRASES = (
+    "hold it",
+    "do not move",
+    "don't move",
+    "dont move",
+    "hold still",
+    "cut it out",
+    "stand still",
+    "st op",
+    "sto p",
+    "s top",
+    "s t o p",
+    "red light",
+    "not aus",
+)
+# Real words one letter away from a stop word; all else that near is a misspelling.
+_OTHERS = frozenset(
+    "step steps stoop atop top tops shop shops slop stomp strop sop spot stow stob snop "
+    "salt hall half hale hat malt hilt hart haunt shalt alt walt hault "
+    "breeze frieze freezer greeze tease lease crease case chase erase ease cause "
+    "what who how hoa whom woe boa abort about apart part short port up to so too stub stock "
+    "stupor store stone story stood stoke stove soup scoop swoop snoop stops".split()
+) - {"stops", "abort", "hault"}
+_WORDS = re.compile(r"[^\W\d_]+")
+
+
+def has_stop_word(text: str, language: str = "english") -> bool:
+    """Tell whether raw input holds a stop word, however it is spelled or meant."""
+    plain = unicodedata.normalize("NFKC", text).lower().replace("’", "'")
+    if any(phrase in " ".join(plain.split()) for phrase in _PHRASES):
+        return True
+    stops = _STOPS.get(language, ()) + _STOPS["english"]
+    return any(_is_stop(word, stops) for word in _WORDS.findall(plain))
+
+
+def _is_stop(word: str, stops: tuple[str, ...]) -> bool:
+    if "stop" in word or "halt" in word.removesuffix("er") or word in stops:
+        return True
+    if word in _OTHERS:
+        return False
+    once = re.sub(r"(.)\1+", r"\1", word)
+    return any(
+        once == re.sub(r"(.)\1+", r"\1", stop)
+        or (len(word) >= 3 and word[0] == stop[0] and OSA.distance(word, stop) <= 1)
+        or (
+            len(word) == len(stop)
+            and sorted(word) == sorted(stop)
+            and OSA.distance(word, stop) <= 2
+        )
+        for stop in stops
+    )

@@ -1,0 +1,168 @@
+"""What a sentence means: the words, then as said, respelled, or as it may have sounded.
+
+Sentences of the phrasebook come first, then classes of words, then answers to the question
+asked, then the likest known sentence. Confidence stays low wherever a word was left over.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.language.answers import OPEN, answer, trimmed
+from assistant.language.clauses import GUESS, LIKELY, SURE, Hearing, Parse, clause, texts_of
+from assistant.language.compounds import compound, corrected
+from assistant.language.naming import known_name
+from assistant.language.phrasebook import Phrasebook, phrasebook
+from assistant.language.repair import homophones, respelled
+from assistant.language.words import Words, spoken, words_of
+from assistant.model.listening import Listening, Understanding
+from assistant.model.teacher_acts import (
+    AdjustSpeed,
+    Affirm,
+    Again,
+    Approve,
+    Cue,
+    Deny,
+    Gripper,
+    Inform,
+    KeyState,
+    Optional,
+    Rotate,
+    Start,
+    TeacherAct,
+    Translate,
+    Unknown,
+)
+
+_MOTION = (AdjustSpeed, Translate, Rotate, Gripper)
+_NOT_ANSWERS = (*_MOTION, Cue, KeyState, Start, Again, Approve)
+_QUESTIONS = frozenset("what who where when which whose why how do did are is can".split())
+_REPAIRED = 0.97
+
+
+def understand(text: str, listening: Listening, language: str = "english") -> Understanding:
+    """Return what a teacher means by a line of text; never raises for any text.
+
+    Parameters
+    ----------
+    text : str
+        As typed or recognized.
+    listening : Listening
+        Where the dialogue stands.
+    language : str
+        Name of the phrasebook.
+    """
+    book = phrasebook(language)
+    hearing = Hearing(book, listening)
+    words = _without_fillers(words_of(text, book.contractions), book)
+    if not words:
+        return Understanding((Unknown(),), 0.9, "")
+    heard, parse = _best(words, hearing)
+    return Understanding(parse.acts, round(parse.score, 3), spoken(heard))
+
+
+def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
+    """Try the words as said, respelled, and as they may have sounded."""
+    names = (*hearing.listening.subtasks, *hearing.listening.objects)
+    spelled = respelled(words, hearing.book, names)
+    best, heard = _meaning(words, hearing), words
+    if best.score >= LIKELY and texts_of(spelled) == texts_of(words):
+        return heard, best
+    for variant in dict.fromkeys((spelled, homophones(spelled, hearing.book))):
+        if variant == words or best.score >= LIKELY:
+            continue
+        parse = _meaning(variant, hearing)
+        if parse.score * _REPAIRED > best.score and not isinstance(parse.acts[0], Unknown):
+            best, heard = replace(parse, score=parse.score * _REPAIRED), variant
+    return heard, best
+
+
+def _meaning(words: Words, hearing: Hearing) -> Parse:
+    asked = hearing.listening.asked
+    if asked in OPEN:
+        return _answered(words, hearing)
+    parse = _command(words, hearing)
+    if parse is not None and parse.score > GUESS:
+        return parse
+    named = _named_part(words, hearing)
+    if named is not None:
+        return named
+    return parse or _unknown(words, hearing)
+
+
+def _command(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the clause as a whole, corrected by its speaker, or cut into several."""
+    whole = clause(words, hearing)
+    if whole is not None and whole.score >= LIKELY:
+        return _one(whole, hearing.listening)
+    for other in (corrected(words, hearing), compound(words, hearing)):
+        if other is not None and (whole is None or other.score > whole.score):
+            whole = other
+    return None if whole is None else _one(whole, hearing.listening)
+
+
+def _one(parse: Parse, listening: Listening) -> Parse:
+    """Drop a yes that only leads into the rest, and a no that answers nothing."""
+    acts: tuple[TeacherAct, ...] = parse.acts
+    if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
+        saying_go = listening.asked == "ready" and isinstance(acts[1], Start)
+        if listening.asked is None or saying_go:
+            acts = acts[1:]
+    unique = tuple(dict.fromkeys(acts))
+    return Parse(unique, parse.score)
+
+
+def _answered(words: Words, hearing: Hearing) -> Parse:
+    """Return an answer to an open question, unless the words are a command of their own."""
+    asked = hearing.listening.asked
+    parse = _command(words, hearing)
+    if parse is not None and parse.score >= LIKELY and not isinstance(parse.acts[0], _NOT_ANSWERS):
+        return parse
+    texts = set(texts_of(words))
+    bare = trimmed(words, hearing.book)
+    if texts & hearing.book.chat or (bare and bare[0].text in _QUESTIONS and asked != "goal"):
+        return parse if parse and parse.score >= LIKELY else Parse((Unknown(),), 0.7)
+    found = _corrected_answer(words, hearing)
+    if found is None:
+        return _unknown(words, hearing)
+    return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
+
+
+def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:
+    asked = hearing.listening.asked
+    if asked is None:
+        return None
+    texts = texts_of(words)
+    for phrase in hearing.book.correction:
+        for at in range(len(texts) - len(phrase) - 1, 0, -1):
+            behind = words[at + len(phrase) :]
+            marked = words[at].broken or len(phrase) > 1
+            if texts[at : at + len(phrase)] == phrase and marked and behind:
+                found = answer(behind, asked, hearing.book)
+                if found is not None:
+                    return found
+    return answer(words, asked, hearing.book)
+
+
+def _named_part(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the step named in answer to whether some may be skipped."""
+    if hearing.listening.asked != "optional":
+        return None
+    bare = tuple(w for w in trimmed(words, hearing.book) if w.text not in ("only", "just", "yes"))
+    if not bare or len(bare) > 6:
+        return None
+    found = known_name(texts_of(bare), hearing.listening.subtasks, hearing.book.numbers)
+    if found is not None:
+        return Parse((Optional(found),), SURE)
+    text = " ".join(w.said for w in bare if w.said and w.text not in ("the", "a"))
+    return Parse((Optional(text),), 0.7) if text else None
+
+
+def _unknown(words: Words, hearing: Hearing) -> Parse:
+    chat = set(texts_of(words)) & hearing.book.chat
+    return Parse((Unknown(),), 0.9 if chat else 0.6)
+
+
+def _without_fillers(words: Words, book: Phrasebook) -> Words:
+    kept = tuple(word for word in words if (word.text,) not in book.fillers)
+    return kept or words

@@ -1,0 +1,113 @@
+"""From a line of text to words: lower case, contractions spelled out, numbers and units apart.
+
+Every word remembers what was said, so that names and answers keep the teacher's own text.
+"""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+_PIECES = re.compile(
+    r"[+-]?\d+(?:[.,]\d+)?(?:st|nd|rd|th)\b|(?<![\w.])[+-]?(?:\d+(?:\.\d+)?|\.\d+)(?=[^\d]|$)"
+    r"|\d+|[^\W\d_]+(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|w/o?\b|[,;:.!?()/=]|-"
+)
+_BREAKS = frozenset(",;:.!?()/=-")
+_SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.25", "¾": "0.75"}
+_DASHES = dict.fromkeys(map(ord, "‐‑‒–—−"), "-") | dict.fromkeys(map(ord, "‘’´`"), "'")
+MOST_CHARACTERS = 2000
+
+
+@dataclass(frozen=True, slots=True)
+class Word:
+    """One word.
+
+    Parameters
+    ----------
+    text : str
+        As it is compared: lower case, spelled out, perhaps repaired.
+    said : str
+        As the teacher said it, lower case; empty for the rest of a contraction.
+    broken : bool
+        Whether a comma or another mark stands before it.
+    """
+
+    text: str
+    said: str
+    broken: bool = False
+
+
+Words = tuple[Word, ...]
+
+
+def plain(text: str) -> str:
+    """Return the text in lower case with simple apostrophes, dashes and spaces."""
+    known = unicodedata.normalize("NFKC", text[:MOST_CHARACTERS].replace("½", " 0.5 "))
+    return " ".join(known.translate(_DASHES).lower().replace("_", " ").split())
+
+
+def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
+    """Split a line into words, contractions spelled out."""
+    found: list[Word] = []
+    broken = False
+    before_end = -1
+    source = _separated(plain(text))
+    for match in _PIECES.finditer(source):
+        piece = match.group()
+        glued = match.start() == before_end
+        before_end = match.end()
+        if piece in _BREAKS:
+            joined = piece == "-" and glued and source[match.end() : match.end() + 1] != " "
+            broken = broken or not (joined or piece == "'")
+            continue
+        for word in _spelled(piece.strip("'"), contractions):
+            found.append(Word(word.text, word.said, broken))
+            broken = False
+    return _phrases(found, contractions)
+
+
+def _separated(text: str) -> str:
+    """Put a space between a number and its unit, and take thousands of commas out."""
+    text = (
+        re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
+    )
+    text = re.sub(r"(?<=\d)\s*(?=[°%\"])", " ", text)
+    return re.sub(r"(?<=\d)(?=(?!st\b|nd\b|rd\b|th\b)[a-z])", " ", text)
+
+
+def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Word]:
+    if piece in _SIGNS:
+        return [Word(_SIGNS[piece], piece)]
+    if piece in contractions:
+        first, *rest = contractions[piece]
+        return [Word(first, piece), *(Word(one, "") for one in rest)]
+    for ending in ("n't", "'m", "'re", "'ve", "'ll", "'em"):
+        if piece.endswith(ending) and len(piece) > len(ending) and ending in contractions:
+            stem = piece[: -len(ending)]
+            return [Word(stem, piece), *(Word(one, "") for one in contractions[ending])]
+    return [Word(piece, piece)] if piece else []
+
+
+def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]]) -> Words:
+    """Replace contractions that are written as two words, such as ``counter clockwise``."""
+    found: list[Word] = []
+    for word in words:
+        pair = f"{found[-1].text} {word.text}" if found and not word.broken else ""
+        if pair in contractions and len(contractions[pair]) == 1:
+            said = f"{found[-1].said} {word.said}"
+            found[-1] = Word(contractions[pair][0], said, found[-1].broken)
+        else:
+            found.append(word)
+    return tuple(found)
+
+
+def said(words: Sequence[Word]) -> str:
+    """Return the words as the teacher said them."""
+    return " ".join(word.said for word in words if word.said)
+
+
+def spoken(words: Sequence[Word]) -> str:
+    """Return the words as they are compared."""
+    return " ".join(word.text for word in words)
