@@ -41,7 +41,7 @@ class Lag:
 
 
 def estimate(cues_s: Array, at_s: Array, chances: Array, end_s: float, given: CueSettings) -> Lag:
-    """Return the distribution of the lag.
+    """Return the distribution of the lag; the jitter is the likeliest of those given.
 
     Parameters
     ----------
@@ -55,13 +55,44 @@ def estimate(cues_s: Array, at_s: Array, chances: Array, end_s: float, given: Cu
     lags = np.arange(0.0, given.most_lag_s + 1e-9, given.step_s)
     usual = np.exp(-0.5 * ((lags - given.usual_lag_s) / given.usual_lag_spread_s) ** 2)
     if len(cues_s) == 0 or len(at_s) == 0:
-        return Lag(lags, usual / np.sum(usual), given.jitter_s)
-    late = cues_s[None, :, None] - at_s[None, None, :] - lags[:, None, None]
-    bell = _bell(late, given.jitter_s) @ chances / max(float(np.sum(chances)), 1e-9)
+        return Lag(lags, usual / np.sum(usual), given.jitters_s[len(given.jitters_s) // 2])
+    likely = chances > 0.02
+    late = cues_s[None, :, None] - at_s[None, None, likely] - lags[:, None, None]
+    share = chances[likely] / max(float(np.sum(chances)), 1e-9)
     false = given.false_share / max(end_s, 1e-9)
-    told = np.sum(np.log(false + (1.0 - given.false_share) * bell), axis=1)
+    told = np.array(
+        [
+            np.sum(
+                np.log(false + (1.0 - given.false_share) * (_bell(late, jitter) @ share)), axis=1
+            )
+            for jitter in given.jitters_s
+        ]
+    )
     score = np.exp(told - np.max(told)) * usual
-    return Lag(lags, score / np.sum(score), given.jitter_s)
+    steady = int(np.argmax(np.sum(score, axis=1)))
+    return Lag(lags, score[steady] / np.sum(score[steady]), given.jitters_s[steady])
+
+
+def modes(lag: Lag, most: int = 3) -> tuple[Lag, ...]:
+    """Return the likely lags apart from each other, likeliest first.
+
+    Cuts that follow each other at like distances make several lags explain the same cues; only
+    the whole reading tells which one is right.
+    """
+    left = lag.chances.copy()
+    found: list[Lag] = []
+    while len(found) < most:
+        peak = lag.lags_s[int(np.argmax(left))]
+        near = np.abs(lag.lags_s - peak) < 0.3
+        share = float(np.sum(left[near]))
+        if found and share < 0.03:
+            break
+        chances = np.where(near, lag.chances, 0.0)
+        found.append(Lag(lag.lags_s, chances / np.sum(chances), lag.jitter_s))
+        left[near] = 0.0
+        if not np.any(left > 0.0):
+            break
+    return tuple(found)
 
 
 def support(

@@ -142,7 +142,10 @@ def _character(
     share = far / between.extent_m
     still = -given.still * np.exp(-share / 0.03)
     if leaf.action.verb == "hand":
-        wide = -given.wide * np.maximum(share - 0.2, 0.0)
+        # The way from docking to grasp or release: short, and without a turn (III-C a).
+        turned = np.minimum(np.linalg.norm(between.turns, axis=-1) / 0.2, 3.0)
+        wide = -given.wide * np.maximum(share - 0.2, 0.0) - given.turned * turned
+        wide -= given.idle * np.exp(-share / 0.03)
         return np.asarray(wide if seen else wide - 0.5 * given.wide * share)
     if leaf.action.verb == "turn":
         return given.direction * _turning(leaf.action.way, between)
@@ -150,8 +153,7 @@ def _character(
     if leaf.action.verb == "free" or axis is None:
         return np.asarray(still)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
-    clear = np.clip(1.5 * along, -1.0, 1.0)
-    return np.asarray(given.direction * clear + still)
+    return np.asarray(given.direction * along + still)
 
 
 def _turning(way: str, between: Stretches) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
-from assistant.learning.cue_lag import Lag, estimate, support
+from assistant.learning.cue_lag import Lag, estimate, modes, support
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.fit import fits, stretches
 from assistant.learning.introduction import orders
@@ -18,7 +18,6 @@ from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
 
 _NEVER = -1e6
-_ROUNDS = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,12 +59,17 @@ def read(
     cues_s = np.array([cue.at_s for cue in demonstration.cues])
     end_s = float(evidence.smoothed.t_s[-1])
     understood = _read(demonstration, task, evidence, settings, evidence.candidates, cues_s, None)
-    for _ in range(_ROUNDS if len(cues_s) else 0):
-        chances = understood.reading.cut_chances[1:-1]
-        lag = estimate(cues_s, understood.at_s[1:-1], chances, end_s, settings.cues)
-        heard = _with_heard(evidence, cues_s, lag)
-        understood = _read(demonstration, task, evidence, settings, heard, cues_s, lag)
-    return understood
+    if len(cues_s) == 0:
+        return understood
+    chances = understood.reading.cut_chances[1:-1]
+    lag = estimate(cues_s, understood.at_s[1:-1], chances, end_s, settings.cues)
+    ways = [
+        _read(
+            demonstration, task, evidence, settings, _with_heard(evidence, cues_s, way), cues_s, way
+        )
+        for way in modes(lag)
+    ]
+    return max(ways, key=lambda way: way.reading.evidence)
 
 
 def read_cuts(
@@ -99,6 +103,7 @@ def local_scores(candidates: Sequence[Candidate], usual_s: float, given: Decodin
             + given.gripper * spot.gripper
             + given.jolt * np.log1p(spot.jolt)
             - given.part * spot.part
+            - given.heard * spot.heard
             for spot in candidates
         ]
     ).reshape(len(candidates))

@@ -195,7 +195,7 @@ class CueSettings:
     step_s: float = 0.05
     usual_lag_s: float = 0.9
     usual_lag_spread_s: float = 0.9
-    jitter_s: float = 0.16
+    jitters_s: tuple[float, ...] = (0.08, 0.15, 0.25)
     false_share: float = 0.12
     least_missing: float = 0.1
 
@@ -215,9 +215,12 @@ class DecodingSettings:
     gripper: float = 3.6
     jolt: float = 1.7
     part: float = 1.0
+    heard: float = 1.0
     direction: float = 2.4
     still: float = 1.4
     wide: float = 8.0
+    turned: float = 0.5
+    idle: float = 0.7
     nearing: float = 1.3
     event: float = 4.0
     lasting: float = 0.7

@@ -86,12 +86,15 @@ def generate(seed: int, habit: Habit = "fluent") -> Shown:
     places: dict[str, Place] = {}
     play.at_s = rng.uniform(0.2, 0.8) * scale
     lift, grasp, away = rng.random() < 0.8, rng.random() < 0.75, rng.random() < 0.6
+    opened: float | None = None
     for pair in range(1, pairs + 1):
         block, target = f"block {pair}", f"target {pair}"
         object_at = _somewhere(rng, 1.0)
         target_at = _somewhere(rng, -1.0)
         places[block], places[target] = _place(object_at), _place(target_at)
-        leaves += _pair(play, block, target, object_at, target_at, cuts, (lift, grasp, away))
+        habits = (lift, grasp, away)
+        more, opened = _pair(play, block, target, object_at, target_at, cuts, habits, opened)
+        leaves += more
     play.rest(rng.uniform(0.2, 0.8) * scale)
     parts = tuple(leaves)
     bodies = [TaskObject(n, "object" if n.startswith("block") else "target") for n in places]
@@ -122,8 +125,12 @@ def _pair(
     target_at: Array,
     cuts: list[float],
     habits: tuple[bool, bool, bool],
-) -> list[Primitive]:
-    """Carry one block to its target; with habits (lifts, names the grasp, goes away)."""
+    opened_s: float | None,
+) -> tuple[list[Primitive], float | None]:
+    """Carry one block to its target; with habits (lifts, names the grasp, goes away).
+
+    Returns the primitives, and when the hand opened if that is where the next one begins.
+    """
     rng, (lift, grasp, away) = play.rng, habits
     speed = rng.uniform(0.10, 0.22) / play.scale**1.5
     leaves: list[Primitive] = []
@@ -132,8 +139,8 @@ def _pair(
         pause = 0.0 if rng.random() < 0.2 else rng.uniform(0.15, 1.2) * play.scale
         cuts.append(play.rest(pause))
 
-    if cuts:
-        between()
+    if opened_s is not None:
+        cuts.append(opened_s)
     back = np.array([np.cos(object_at[5]), np.sin(object_at[5]), 0, 0, 0, 0])
     docked = object_at - rng.uniform(0.03, 0.06) * back
     leaves.append(Primitive(f"approach {block}", Action("move", "approach", block)))
@@ -160,7 +167,8 @@ def _pair(
         leaves.append(Primitive(f"leave {target}", Action("move", "depart", target)))
         back = np.array([np.cos(target_at[5]), np.sin(target_at[5]), 0, 0, 0, 0])
         play.go(target_at - rng.uniform(0.06, 0.12) * back, speed)
-    return leaves
+        return leaves, play.rest(rng.uniform(0.15, 1.2) * play.scale)
+    return leaves, opened
 
 
 def _sampled(play: Play, habit: Habit) -> tuple[Recording, tuple[Array, Array]]:
