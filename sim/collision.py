@@ -28,6 +28,9 @@ FAR = 1.0
 NEAR_M = 0.01
 """Only what a quick bound finds nearer than this is looked at closely."""
 
+EXCUSED_M = 0.0005
+"""What is touched where the arm stands may come nearer by so much."""
+
 Indices = NDArray[np.int64]
 
 _BASE_POSE = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
@@ -99,6 +102,7 @@ def touches(
     things: tuple[Standing, ...],
     carried: Carried | None = None,
     allowed: Mapping[tuple[str, str], Flags] | None = None,
+    excused: Mapping[tuple[str, str], float] | None = None,
 ) -> Touch:
     """Return how near a path of the joints comes to anything.
 
@@ -112,15 +116,30 @@ def touches(
     allowed : mapping of (part, thing) to flags, shape (m,)
         Samples at which these may touch. Parts are ``arm``, ``palm``, ``fingers`` and
         ``carried``.
+    excused : mapping of (part, thing) to float
+        By how much these were too near already where the arm stands: they may not come nearer.
     """
     least, part, thing = np.full(len(q), FAR), "", ""
     for where, what, gap in _gaps(_parts(q, gripper_m, carried), things):
         permitted = (allowed or {}).get((where, what))
+        gap = gap + (excused or {}).get((where, what), 0.0)
         gap = gap if permitted is None else np.where(permitted, FAR, gap)
         if gap.min() < least.min():
             part, thing = where, what
         least = np.minimum(least, gap)
     return Touch(least, part, thing, int(np.argmin(least)))
+
+
+def too_near(
+    q: Array, gripper_m: float, things: tuple[Standing, ...], carried: Carried | None
+) -> dict[tuple[str, str], float]:
+    """Return which parts are too near which things for joints, shape (6,), and by how much."""
+    parts = _parts(q[None], np.array([gripper_m]), carried)
+    found: dict[tuple[str, str], float] = {}
+    for part, thing, gap in _gaps(parts, things):
+        if gap[0] < 0.0:
+            found[part, thing] = max(found.get((part, thing), 0.0), EXCUSED_M - float(gap[0]))
+    return found
 
 
 @dataclass(frozen=True, slots=True, eq=False)

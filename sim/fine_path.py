@@ -98,7 +98,10 @@ def refine(path: HandPath) -> FinePath:
 
 def moved(stop: HandStop, index: Sequence[int] | NDArray[np.int64]) -> HandStop:
     """Return a stop with its samples looked up in `index`."""
-    docking, at, left = (int(index[k]) for k in (stop.docking_at, stop.at, stop.left_at))
+    # What is left of a task may begin within a stretch: its docking then lies before it.
+    last = len(index) - 1
+    wanted = (stop.docking_at, stop.at, stop.left_at)
+    docking, at, left = (int(index[min(max(k, 0), last)]) for k in wanted)
     return replace(stop, docking_at=docking, at=at, left_at=left)
 
 

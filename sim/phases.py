@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import combinations
 
 import numpy as np
@@ -14,7 +14,7 @@ from assistant.model.motion import HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, touches
+from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, too_near, touches
 from sim.fine_path import FinePath
 from sim.kinematics import Flags
 from sim.shapes import body_box, boxes_apart
@@ -36,16 +36,19 @@ class Phase:
     stops: tuple[HandStop, ...]
     marks: frozenset[str]
     """Bodies that only mark a place: what is put there may enter them."""
+    excused: Mapping[tuple[str, str], float] = field(default_factory=dict)
 
     def touches(self, q: Array, gripper_m: Array, samples: NDArray[np.int64]) -> Touch:
         """Return how near joints, shape (m, 6), at samples of the path come to anything."""
-        return touches(q, gripper_m, self.things, self.carried, self._allowed(samples))
+        allowed = self._allowed(samples)
+        return touches(q, gripper_m, self.things, self.carried, allowed, self.excused)
 
     def gap(self, gripper_m: float) -> Callable[[Array], Array]:
         """Return how far joints, shape (m, 6), are from touching anything at all, shape (m,)."""
 
         def apart(q: Array) -> Array:
-            return touches(q, np.full(len(q), gripper_m), self.things, self.carried).gap
+            opening = np.full(len(q), gripper_m)
+            return touches(q, opening, self.things, self.carried, None, self.excused).gap
 
         return apart
 
@@ -120,7 +123,10 @@ def phases(
         last = stop.at if stop else len(fine.u_s) - 1
         things = fixed + _standing(scene, bodies, held)
         carried = carried_body(scene, held, in_hand) if held else None
-        found.append(Phase(first, last, things, carried, fine.stops, marks))
+        excused: Mapping[tuple[str, str], float] = {}
+        if look is not None and first == 0:
+            excused = too_near(look.q, look.gripper_m, things, carried)
+        found.append(Phase(first, last, things, carried, fine.stops, marks, excused))
         first = last
         if stop is not None:
             held, in_hand, bodies = _after(stop, fine, scene, held, in_hand, bodies)

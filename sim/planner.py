@@ -24,6 +24,7 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
 from sim.branches import (
+    JUMP_RAD,
     SINGULAR_RAD,
     Answers,
     answers,
@@ -128,6 +129,9 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
         q[part], how = way
         if how:
             notes.append(f"{how} on the {place_name(work.fine, first + 1)}")
+    if np.abs(np.diff(q, axis=0)).max(initial=0.0) > JUMP_RAD:
+        # The arm stands on another branch, and nothing lies between it and an exact stretch.
+        return Refusal("joint_limit", place_name(work.fine, 0), "joint 4", hint="turn")
     refusal = _touched(work, q, np.ones(len(q), dtype=bool))
     return refusal or _finished(work, q, "; ".join(notes))
 
