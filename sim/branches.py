@@ -94,33 +94,37 @@ def _holds(found: Answers, flags: Flags, branch: int) -> bool:
 
 def forbidden(found: Answers, flags: Flags, fine: FinePath) -> Refusal:
     """Return why no branch holds all needed samples: the best branch's worst place."""
-    limited = np.where(flags[:, None], found.margin, np.inf)
-    least = limited.min(axis=0)
+    least = np.where(flags[:, None], found.margin, np.inf).min(axis=0)
     branch = int(np.argmax(least))
-    sample = int(np.argmin(limited[:, branch]))
-    where = place_name(fine, sample)
     if not np.isfinite(least[branch]):
-        return _out_of_reach(fine, flags, found)
-    if least[branch] >= 0.0:
-        return Refusal("joint_limit", where, "joint 4", 0.0, "deg", "turn")
-    beyond = np.abs(found.q[sample, branch]) - a465.LIMITS
-    joint = int(np.argmax(beyond))
-    by = math.degrees(float(beyond[joint]))
-    return Refusal("joint_limit", where, f"joint {joint + 1}", by, "deg", "turn")
+        return _out_of_reach(fine, _told(flags & ~np.isfinite(found.margin).any(axis=1), fine))
+    beyond = _told(flags & (found.margin[:, branch] < 0.0), fine)
+    if not beyond.any():
+        return Refusal("joint_limit", place_name(fine, 0), "joint 4", 0.0, "deg", "turn")
+    sample = int(np.argmin(np.where(beyond, found.margin[:, branch], np.inf)))
+    over = np.abs(found.q[sample, branch]) - a465.LIMITS
+    joint = int(np.argmax(over))
+    by = math.degrees(float(over[joint]))
+    return Refusal("joint_limit", place_name(fine, sample), f"joint {joint + 1}", by, "deg", "turn")
 
 
-def _out_of_reach(fine: FinePath, flags: Flags, found: Answers) -> Refusal:
-    lost = flags & ~np.isfinite(found.margin).any(axis=1)
+def _told(failing: Flags, fine: FinePath) -> Flags:
+    # A grasp or release that fails is told rather than a place on the way to it.
+    keys = np.zeros(len(failing), dtype=bool)
+    keys[[stop.at for stop in fine.stops]] = True
+    return failing & keys if np.any(failing & keys) else failing
+
+
+def _out_of_reach(fine: FinePath, failing: Flags) -> Refusal:
     shoulder = np.array([0.0, 0.0, a465.BASE_M])
     far = np.linalg.norm(wrist_of(fine.poses) - shoulder, axis=1)
-    longest = a465.UPPER_ARM_M + a465.FOREARM_M
-    beyond = np.where(lost, np.abs(far - longest / 2) - longest / 2, -np.inf)
-    sample = int(np.argmax(np.where(lost, np.maximum(far - longest, beyond), -np.inf)))
-    where, gap = place_name(fine, sample), float(far[sample] - longest)
-    if gap > 0:
-        return Refusal("reach", where, "", 1000.0 * gap, "mm", "closer")
-    short = a465.FOREARM_M - a465.UPPER_ARM_M - float(far[sample])
-    return Refusal("reach", where, "", 1000.0 * max(short, 0.0), "mm", "farther")
+    beyond = far - (a465.UPPER_ARM_M + a465.FOREARM_M)
+    short = a465.FOREARM_M - a465.UPPER_ARM_M - far
+    sample = int(np.argmax(np.where(failing, np.maximum(beyond, short), -np.inf)))
+    by, hint = float(beyond[sample]), "closer"
+    if short[sample] > by:
+        by, hint = float(short[sample]), "farther"
+    return Refusal("reach", place_name(fine, sample), "", 1000.0 * max(by, 0.0), "mm", hint)
 
 
 def place_name(fine: FinePath, sample: int) -> str:

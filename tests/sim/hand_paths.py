@@ -6,10 +6,12 @@ from typing import Literal
 
 import numpy as np
 
-from assistant.geometry import Array, compose, quat_blend
+from assistant.geometry import IDENTITY, Array, compose, quat_blend
+from assistant.model.lesson import Lesson, Segmentation, Station
 from assistant.model.motion import HandPath, HandStop
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import READY, Place, Setup, Triple
+from assistant.model.task import Subtask, Task, TaskObject
 
 STEP_S = 0.02
 OPEN_M, CLOSED_M = 0.08, 0.04
@@ -117,3 +119,20 @@ def _piece(first: Array, second: Array, lasts_s: float) -> Array:
 
 def _polar(pose: Array) -> tuple[float, float]:
     return float(np.hypot(pose[0], pose[1])), float(np.arctan2(pose[1], pose[0]))
+
+
+def taught() -> Task:
+    """Return pick and place with the stations of `pick_and_place`, nothing else learned."""
+    stations = (
+        _station("grasp", "block", (-0.05, 0.0, 0.0)),
+        _station("release", "target", (0.0, 0.0, 0.08)),
+    )
+    lesson = Lesson(Segmentation((), (), None), None, stations)
+    objects = (TaskObject("block", "object"), TaskObject("target", "target"))
+    return Task("pick_and_place", Subtask("pick and place"), "", objects, lesson)
+
+
+def _station(kind: Literal["grasp", "release"], frame: str, docking: Triple) -> Station:
+    here = np.array(IDENTITY)
+    away = np.concatenate([docking, here[3:]])
+    return Station(kind, "block", frame, kind, 0, 0, 0, here, here, away)
