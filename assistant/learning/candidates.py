@@ -43,6 +43,8 @@ class Candidate:
         Proposed by a spoken cue only.
     part : bool
         Within a rest in which the gripper acts, before it does.
+    blur_s : float
+        How well the instant is known (one standard deviation).
     """
 
     at_s: float
@@ -53,6 +55,7 @@ class Candidate:
     jolt: float = 0.0
     heard: bool = False
     part: bool = False
+    blur_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,7 +83,11 @@ def gather(
     merged = _merged(events, minima, shaken, smoothed)
     inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]
     bends = _bends(np.array([c.at_s for c in inside]), smoothed)
-    found = tuple(replace(c, bend=float(b)) for c, b in zip(inside, bends, strict=True))
+    step = float(np.median(np.diff(smoothed.t_s)))
+    found = tuple(
+        replace(c, bend=float(b), blur_s=_blur(c, step, settings))
+        for c, b in zip(inside, bends, strict=True)
+    )
     return Evidence(smoothed, speed, events, minima, shaken, found)
 
 
@@ -121,6 +128,15 @@ def _with_minimum(found: list[Candidate], spot: Minimum, smoothed: Smoothed) -> 
             joined.append(Candidate(step, part=True))
     del smoothed
     return joined
+
+
+def _blur(candidate: Candidate, step_s: float, settings: SegmentationSettings) -> float:
+    given = settings.signals
+    if candidate.gripper:
+        return 0.1 * step_s
+    if candidate.jolt > 0.0:
+        return settings.jolts.blur_s
+    return float(np.hypot(given.blur_of_rest * candidate.rest_s, given.blur_steps * step_s))
 
 
 def _bends(at_s: Array, smoothed: Smoothed) -> Array:

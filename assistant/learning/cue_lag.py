@@ -40,14 +40,16 @@ class Lag:
         return float(np.sum(near * self.lags_s) / np.sum(near))
 
 
-def estimate(cues_s: Array, at_s: Array, chances: Array, end_s: float, given: CueSettings) -> Lag:
+def estimate(
+    cues_s: Array, at_s: Array, blur_s: Array, chances: Array, end_s: float, given: CueSettings
+) -> Lag:
     """Return the distribution of the lag; the jitter is the likeliest of those given.
 
     Parameters
     ----------
     cues_s : array, shape (c,)
-    at_s, chances : array, shape (k,)
-        Candidates and the probability that a cut lies there.
+    at_s, blur_s, chances : array, shape (k,)
+        Candidates, how well they are known, and the probability that a cut lies there.
     end_s : float
         Length of the demonstration.
     given : CueSettings
@@ -63,7 +65,12 @@ def estimate(cues_s: Array, at_s: Array, chances: Array, end_s: float, given: Cu
     told = np.array(
         [
             np.sum(
-                np.log(false + (1.0 - given.false_share) * (_bell(late, jitter) @ share)), axis=1
+                np.log(
+                    false
+                    + (1.0 - given.false_share)
+                    * (_bell(late, np.hypot(jitter, blur_s[likely])) @ share)
+                ),
+                axis=1,
             )
             for jitter in given.jitters_s
         ]
@@ -96,7 +103,7 @@ def modes(lag: Lag, most: int = 3) -> tuple[Lag, ...]:
 
 
 def support(
-    cues_s: Array, at_s: Array, lag: Lag, missing: float, false_rate: float
+    cues_s: Array, at_s: Array, blur_s: Array, lag: Lag, missing: float, false_rate: float
 ) -> tuple[Array, Array]:
     """Return what the cues say for cuts, in log odds.
 
@@ -111,11 +118,25 @@ def support(
     if len(cues_s) == 0:
         return np.zeros(len(at_s)), np.zeros((len(at_s), len(at_s)))
     late = cues_s[None, :, None] - at_s[:, None, None] - lag.lags_s
-    heard = _bell(late, lag.jitter_s) @ lag.chances
+    heard = _bell(late, np.hypot(lag.jitter_s, blur_s)[:, None, None]) @ lag.chances
     gain = np.log1p((1.0 - missing) * heard / (missing * false_rate))
     shared = np.max(np.minimum(gain[:, None, :], gain[None, :, :]), axis=2)
     return np.log(missing) + np.max(gain, axis=1), shared
 
 
-def _bell(values: Array, spread: float) -> Array:
+def refined(cues_s: Array, at_s: Array, blur_s: Array, lag: Lag) -> Array:
+    """Return instants of cuts, moved towards what the cues say where that is known better.
+
+    A long rest, or a slow recording, knows its middle less well than a steady teacher's cue.
+    """
+    if len(cues_s) == 0 or len(at_s) == 0:
+        return at_s
+    told = cues_s[None, :] - lag.best_s - at_s[:, None]
+    nearest = told[np.arange(len(at_s)), np.argmin(np.abs(told), axis=1)]
+    both = np.hypot(lag.jitter_s, blur_s)
+    trust = np.where(np.abs(nearest) < 2.5 * both, (blur_s / both) ** 2, 0.0)
+    return np.asarray(at_s + trust * nearest)
+
+
+def _bell(values: Array, spread: Array) -> Array:
     return np.asarray(np.exp(-0.5 * (values / spread) ** 2) / (spread * np.sqrt(2.0 * np.pi)))

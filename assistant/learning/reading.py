@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
-from assistant.learning.cue_lag import Lag, estimate, modes, support
+from assistant.learning.cue_lag import Lag, estimate, modes, refined, support
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.fit import fits, stretches
 from assistant.learning.introduction import orders
@@ -62,14 +62,30 @@ def read(
     if len(cues_s) == 0:
         return understood
     chances = understood.reading.cut_chances[1:-1]
-    lag = estimate(cues_s, understood.at_s[1:-1], chances, end_s, settings.cues)
+    blur_s = np.array([spot.blur_s for spot in understood.candidates])
+    lag = estimate(cues_s, understood.at_s[1:-1], blur_s, chances, end_s, settings.cues)
     ways = [
         _read(
             demonstration, task, evidence, settings, _with_heard(evidence, cues_s, way), cues_s, way
         )
         for way in modes(lag)
     ]
-    return max(ways, key=lambda way: way.reading.evidence)
+    best = max(ways, key=lambda way: way.reading.evidence)
+    return replace(best, at_s=_refined(best, cues_s))
+
+
+def _refined(understood: Understood, cues_s: Array) -> Array:
+    """Return the instants with those of the cuts refined by the cues; their order is kept."""
+    at_s = understood.at_s.copy()
+    inner = np.array(understood.reading.nodes[1:-1], dtype=np.int64)
+    if understood.lag is None or len(inner) == 0:
+        return at_s
+    blur_s = np.array([understood.candidates[k - 1].blur_s for k in inner])
+    moved = refined(cues_s, at_s[inner], blur_s, understood.lag)
+    kept = at_s.copy()
+    kept[inner] = moved
+    nodes = kept[list(understood.reading.nodes)]
+    return kept if bool(np.all(np.diff(nodes) > 0.0)) else at_s
 
 
 def read_cuts(
@@ -113,10 +129,11 @@ def _with_heard(evidence: Evidence, cues_s: Array, lag: Lag) -> tuple[Candidate,
     """Add an instant for each cue where no signal proposes one."""
     begin_s, end_s = float(evidence.smoothed.t_s[0]), float(evidence.smoothed.t_s[-1])
     known = np.array([spot.at_s for spot in evidence.candidates])
+    blur = np.array([max(0.3, 1.5 * spot.blur_s) for spot in evidence.candidates])
     heard = [
         Candidate(float(at), heard=True)
         for at in np.unique(cues_s - lag.best_s)
-        if begin_s + 0.2 < at < end_s - 0.2 and not np.any(np.abs(known - at) < 0.3)
+        if begin_s + 0.2 < at < end_s - 0.2 and not np.any(np.abs(known - at) < blur)
     ]
     return tuple(sorted([*evidence.candidates, *heard], key=lambda spot: spot.at_s))
 
@@ -142,7 +159,8 @@ def _read(
     cuts = np.zeros(len(at_s))
     cuts[1:-1] = local_scores(candidates, float(np.ptp(t_s)) / max(len(leaves), 1), given)
     if lag is not None:
-        alone, shared = _heard(cues_s, at_s, lag, len(leaves), settings)
+        blur_s = np.array([spot.blur_s for spot in candidates])
+        alone, shared = _heard(cues_s, at_s, blur_s, lag, len(leaves), settings)
         cuts[1:-1] += alone
         steps[1:-1, 1:-1] -= shared[:, :, None]
         unnamed[1:-1, 1:-1] -= shared
@@ -159,9 +177,14 @@ def _read(
 
 
 def _heard(
-    cues_s: Array, at_s: Array, lag: Lag, leaves: int, settings: SegmentationSettings
+    cues_s: Array,
+    at_s: Array,
+    blur_s: Array,
+    lag: Lag,
+    leaves: int,
+    settings: SegmentationSettings,
 ) -> tuple[Array, Array]:
     given = settings.cues
     missing = float(np.clip(1.0 - len(cues_s) / max(leaves - 1, 1), given.least_missing, 0.9))
     false_rate = max(len(cues_s) * given.false_share, 0.3) / float(np.ptp(at_s))
-    return support(cues_s, at_s[1:-1], lag, missing, false_rate)
+    return support(cues_s, at_s[1:-1], blur_s, lag, missing, false_rate)

@@ -119,6 +119,9 @@ class SignalSettings:
     rest: float = 0.25
     """Below this share of the mean speed the hand rests."""
     most_candidates: int = 100
+    blur_of_rest: float = 0.12
+    blur_steps: float = 0.9
+    """The middle of a rest is known to this share of it, and to so many steps of the recording."""
     least_pace_m_s: float = 1e-4
     """A hand that never goes faster never moved."""
 
@@ -139,6 +142,7 @@ class JoltSettings:
     most_samples: int = 20_000
     open_after_s: float = 0.3
     """Half of the travel comes this long after the jolt of letting go."""
+    blur_s: float = 0.25
     close_before_s: float = 0.5
     """Half of the travel lies this long before the jolt of gripping."""
 
