@@ -1,0 +1,292 @@
+"""Carry a learned path to another setup (paper III-D a).
+
+`plan_adaptation` does once for a lesson what does not depend on the setup; `adapt` does the
+rest; `adapted_path` is its core on arrays alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.errors import BadInput, Problem, WorkFailed
+from assistant.geometry import (
+    Array,
+    compose,
+    inverse,
+    quat_continuous,
+    quat_from_rotvec,
+    quat_multiply,
+    relative,
+    rotate_vector,
+)
+from assistant.learning.amendments import Bend, bends, commanded, speed_factors, station_moves
+from assistant.learning.blending import azimuth_turned, eq6_way, two_frame_way
+from assistant.learning.timing import bounded_times, hand_speeds
+from assistant.learning.ways import Span, Ways, prepare, smooth_way
+from assistant.learning.weights import FrameWeights, frame_weights
+from assistant.model.lesson import Station
+from assistant.model.motion import HandPath, HandStop, Indices
+from assistant.model.scene import Scene
+from assistant.model.settings import BlendingSettings, GeneralizationSettings
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class AdaptationPlan:
+    """A lesson prepared for adaptation.
+
+    Parameters
+    ----------
+    task : str
+    settings : BlendingSettings
+    steps_s : array, shape (n - 1,)
+        Times between samples at the lesson's own speed.
+    resting : array of bool, shape (n - 1,)
+        Steps within which the gripper acts: they are never hurried.
+    gripper_m : array, shape (n,)
+    primitive_at : array of int, shape (n,)
+    stations : tuple of Station
+    station_moves : array, shape (stations, 7)
+        Corrections, within each station's frame.
+    back : array, shape (stations, 7)
+        From the world of the demonstration into each corrected frame.
+    ways : Ways
+    weights : FrameWeights
+        For eq. (6).
+    bends : tuple of Bend
+    ends_with_start : bool
+        Whether the hand came back to where it started.
+    peak_m_s : float
+        Greatest speed of the demonstration, with the corrections of speed.
+    """
+
+    task: str
+    settings: BlendingSettings
+    steps_s: Array
+    resting: Array
+    gripper_m: Array
+    primitive_at: Indices
+    stations: tuple[Station, ...]
+    station_moves: Array
+    back: Array
+    ways: Ways
+    weights: FrameWeights
+    bends: tuple[Bend, ...]
+    ends_with_start: bool
+    peak_m_s: float
+
+
+def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> AdaptationPlan:
+    """Return what is prepared once for a lesson.
+
+    Raises
+    ------
+    WorkFailed
+        If the task has not been learned, or its demonstration did not record the hand.
+    """
+    lesson = task.learned
+    settings = settings or BlendingSettings()
+    if lesson is None:
+        raise WorkFailed(f"{task.name!r} has not been learned yet; demonstrate it first")
+    if lesson.path is None:
+        raise WorkFailed(
+            f"{task.name!r} was shown without the gripper's opening, so where to grasp is not "
+            "known; demonstrate it with the column gripper_m"
+        )
+    learned, stations = lesson.path, lesson.stations
+    path = np.hstack([learned.path[:, :3], quat_continuous(learned.path[:, 3:])])
+    held, ends_with_start = held_stretches(path[:, :3], stations, settings)
+    shifts = station_moves(task, lesson, settings.tool_m)
+    frames = np.array([one.frame_to_world for one in stations]).reshape(-1, 7)
+    factors = _between(speed_factors(task, lesson, learned))
+    dwell_s = GeneralizationSettings().dwell_s
+    return AdaptationPlan(
+        task=task.name,
+        settings=settings,
+        steps_s=np.diff(learned.t_s) / factors,
+        resting=_resting(learned.t_s, stations, dwell_s),
+        gripper_m=commanded(task, lesson, learned),
+        primitive_at=learned.primitive_at,
+        stations=stations,
+        station_moves=shifts,
+        back=compose(shifts, inverse(frames)),
+        ways=prepare(path, held, settings.least_radius_m),
+        weights=frame_weights(
+            path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
+        ),
+        bends=bends(task, lesson, learned, held),
+        ends_with_start=ends_with_start,
+        peak_m_s=float(np.max(hand_speeds(learned.t_s, path) * factors)),
+    )
+
+
+def adapt(
+    plan: AdaptationPlan,
+    scene: Scene,
+    setup: Setup,
+    *,
+    start: Array | None = None,
+    speed: float = 1.0,
+) -> HandPath:
+    """Return the path of the hand for a setup, timed for the hand.
+
+    Parameters
+    ----------
+    plan : AdaptationPlan
+    scene : Scene
+    setup : Setup
+    start : array, shape (7,), optional
+        Where the hand is; the setup's robot start if not given.
+    speed : float
+        Factor of the lesson's own speed.
+
+    Raises
+    ------
+    BadInput
+        If the setup lacks a place, or the speed is not above zero.
+    """
+    if not speed > 0.0:
+        raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
+    frames = frames_in(plan, scene, setup)
+    begin = setup.robot_start.pose if start is None else np.asarray(start, dtype=float)
+    path = adapted_path(plan, frames, begin)
+    steps_s = np.where(plan.resting, plan.steps_s / min(speed, 1.0), plan.steps_s / speed)
+    t_s = bounded_times(
+        steps_s,
+        path,
+        min(scene.hand_speed_m_s, plan.settings.speed_share * plan.peak_m_s * speed),
+        plan.settings.turn_rad_s,
+        round(plan.settings.brake_s / float(np.median(plan.steps_s))),
+    )
+    stops = tuple(
+        HandStop(one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at)
+        for one in plan.stations
+    )
+    return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, stops)
+
+
+def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:
+    """Return the path, shape (n, 7), for frames given as arrays.
+
+    Parameters
+    ----------
+    plan : AdaptationPlan
+    frames : array, shape (stations, 7)
+        Each station's frame in the world.
+    start : array, shape (7,)
+        Where the hand is.
+    """
+    at_stations = compose(frames, plan.back) if len(plan.stations) else np.zeros((0, 7))
+    moves = _moves(plan, at_stations, start)
+    scheme = plan.settings.scheme
+    if scheme == "smooth":
+        path = smooth_way(plan.ways, moves)
+    elif scheme == "two_frame":
+        path = two_frame_way(plan.ways.path, moves, plan.ways.held)
+    elif not len(plan.stations):
+        path = compose(moves[0], plan.ways.path)
+    else:
+        learned = plan.ways.path
+        turned = azimuth_turned(learned, moves, plan.ways.held) if scheme == "azimuth" else learned
+        path = eq6_way(turned, learned, at_stations, start, plan.weights)
+    for bend in plan.bends:
+        _bent(path, bend, frames)
+    return path
+
+
+def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
+    """Return each station's frame in a setup, shape (stations, 7).
+
+    An object that has been released is from then on where the hand let go of it.
+    """
+    _check_places(plan.stations, setup)
+    now = {name: scene.hand_pose(name, place) for name, place in setup.places.items()}
+    in_hand: dict[str, Array] = {}
+    out = np.empty((len(plan.stations), 7))
+    for k, station in enumerate(plan.stations):
+        out[k] = now[station.frame]
+        hand = compose(out[k], compose(plan.station_moves[k], station.hand_in_frame))
+        if station.kind == "grasp":
+            in_hand[station.object] = relative(hand, out[k])
+        elif station.kind == "release" and station.object in in_hand:
+            now[station.object] = compose(hand, in_hand.pop(station.object))
+    return out
+
+
+def held_stretches(
+    xyz: Array, stations: Sequence[Station], settings: BlendingSettings
+) -> tuple[tuple[Span, ...], bool]:
+    """Return the stretches that keep their shape, and whether the last is the start again.
+
+    The first is the start; a path that comes back to its start ends there again; else the last
+    station's stretch goes on to the end.
+    """
+    travel = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(xyz, axis=0), axis=1))])
+    held: list[Span] = [(0, 0)]
+    previous = 0
+    for k, station in enumerate(stations):
+        way = travel[station.at] - travel[previous]
+        kept = min(settings.hold_m, settings.most_held * way)
+        begin = int(np.searchsorted(travel, travel[station.at] - kept, side="right")) - 1
+        begin = max(min(begin, station.docking_at), held[-1][1] + 1)
+        end = station.left_at
+        if k + 1 < len(stations):
+            end = min(end, max(stations[k + 1].docking_at - 2, station.at))
+        held.append((min(begin, station.at), max(end, station.at)))
+        previous = station.at
+    last = len(xyz) - 1
+    home = bool(np.linalg.norm(xyz[-1] - xyz[0]) < 0.05) and last > held[-1][1] + 10
+    if home and len(stations):
+        return (*held, (last, last)), True
+    held[-1] = (held[-1][0], last)
+    return tuple(held), False
+
+
+def _moves(plan: AdaptationPlan, at_stations: Array, start: Array) -> Array:
+    begin = compose(start, inverse(plan.ways.path[0]))[None, :]
+    parts = [begin, at_stations]
+    if plan.ends_with_start:
+        parts.append(begin)
+    return np.concatenate(parts)
+
+
+def _bent(path: Array, bend: Bend, frames: Array) -> None:
+    """Add a correction to a path that is still being made."""
+    offset, turn = bend.offset_m, bend.turn_rad
+    if bend.station >= 0:
+        offset = rotate_vector(frames[bend.station, 3:], offset)
+        turn = rotate_vector(frames[bend.station, 3:], turn)
+    inside = slice(bend.begin, bend.end)
+    path[inside, :3] += bend.weight[:, None] * offset
+    turns = quat_from_rotvec(bend.weight[:, None] * turn)
+    path[inside, 3:] = quat_multiply(turns, path[inside, 3:])
+
+
+def _check_places(stations: Sequence[Station], setup: Setup) -> None:
+    put: set[str] = set()
+    missing: list[str] = []
+    for station in stations:
+        if station.frame not in setup.places and station.frame not in put | set(missing):
+            missing.append(station.frame)
+        if station.kind == "release":
+            put.add(station.object)
+    if missing:
+        raise BadInput(
+            [Problem(setup.name, f"no place for {name!r}", "add it to places") for name in missing]
+        )
+
+
+def _between(values: Array) -> Array:
+    return np.asarray((values[1:] + values[:-1]) / 2.0)
+
+
+def _resting(t_s: Array, stations: Sequence[Station], dwell_s: float) -> Array:
+    middles = (t_s[1:] + t_s[:-1]) / 2.0
+    resting = np.zeros(len(middles), dtype=bool)
+    for station in stations:
+        resting |= np.abs(middles - t_s[station.at]) <= dwell_s / 2.0
+    return resting

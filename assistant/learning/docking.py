@@ -1,0 +1,112 @@
+"""Docking poses, and the path altered so that docking is straight (paper III-C a, b)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from assistant.geometry import (
+    Array,
+    compose,
+    quat_from_rotvec,
+    quat_inverse,
+    quat_multiply,
+    quat_to_rotvec,
+    relative,
+    rotate_vector,
+)
+from assistant.learning.weights import six_order
+from assistant.model.settings import GeneralizationSettings
+
+AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+
+
+def axis_vector(name: str) -> Array:
+    """Return the unit vector of an axis such as ``x`` or ``-z``."""
+    vector = np.array(AXES[name[-1]])
+    return -vector if name.startswith("-") else vector
+
+
+def lateral_axis(approach_axis: str) -> Array:
+    """Return the hand's lateral axis: the fingers' y, or x for a hand that approaches along y."""
+    return axis_vector("x" if approach_axis.endswith("y") else "y")
+
+
+def grasp_ways(approach_axis: str) -> Array:
+    """Return the directions, shape (2, 3) in the hand's frame, open from docking to grasp.
+
+    Source: paper III-C a: along the approach, and perpendicular to approach and lateral axes.
+    """
+    approach = axis_vector(approach_axis)
+    return np.array([approach, np.cross(approach, lateral_axis(approach_axis))])
+
+
+def release_ways(normal_in_world: Array, hand: Array) -> Array:
+    """Return the direction, shape (1, 3) in the hand's frame, open from docking to release."""
+    return rotate_vector(quat_inverse(hand[3:]), normal_in_world)[None, :]
+
+
+def docking_sample(
+    xyz: Array, at: int, suggested: int, earliest: int, settings: GeneralizationSettings
+) -> int:
+    """Return the sample of the docking pose before a grasp or release.
+
+    Parameters
+    ----------
+    xyz : array, shape (n, 3)
+    at : int
+        Where the hand closes or opens.
+    suggested : int
+        Where the primitive that docks ends.
+    earliest : int
+        Docking is not sought before this sample.
+    settings : GeneralizationSettings
+    """
+    away = np.linalg.norm(xyz[earliest : at + 1] - xyz[at], axis=1)
+    inside = min(max(suggested - earliest, 0), len(away) - 1)
+    if settings.docking_near_m <= away[inside] <= settings.docking_far_m:
+        return earliest + inside
+    # Otherwise where the hand last came within the usual distance.
+    outside = np.flatnonzero(away > settings.docking_m)
+    return earliest + (int(outside[-1]) + 1 if len(outside) else 0)
+
+
+def straightened(
+    path: Array, at: int, docking_at: int, ways: Array, earliest: int, settle_m: float
+) -> Array:
+    """Return the path with everything docking forbids taken out from docking to `at`.
+
+    Before docking it fades out over `settle_m` of path, so that the transition stays as smooth
+    as it was shown.
+
+    Parameters
+    ----------
+    path : array, shape (n, 7)
+    at, docking_at, earliest : int
+        The altered stretch lies between `earliest` and `at`.
+    ways : array, shape (k, 3)
+        Orthogonal directions allowed, in the hand's frame at `at`.
+    settle_m : float
+    """
+    stretch = slice(earliest, at + 1)
+    seen = relative(path[at], path[stretch])
+    weight = _fading(path[stretch, :3], docking_at - earliest, settle_m)
+    allowed = (seen[:, :3] @ ways.T) @ ways
+    turn = quat_to_rotvec(seen[:, 3:])
+    kept = np.empty_like(seen)
+    kept[:, :3] = seen[:, :3] - weight[:, None] * (seen[:, :3] - allowed)
+    kept[:, 3:] = quat_multiply(quat_from_rotvec(-weight[:, None] * turn), seen[:, 3:])
+    out = path.copy()
+    out[stretch] = compose(path[at], kept)
+    return out
+
+
+def _fading(xyz: Array, docking: int, settle_m: float) -> Array:
+    steps = np.linalg.norm(np.diff(xyz, axis=0), axis=1)
+    travel = np.concatenate([[0.0], np.cumsum(steps)])
+    begin = max(travel[docking] - settle_m, 0.0)
+    length = travel[docking] - begin
+    if length <= 0.0:
+        return (np.arange(len(xyz)) >= docking).astype(float)
+    weight = six_order((travel - begin) / length)
+    weight[docking:] = 1.0
+    return weight

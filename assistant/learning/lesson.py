@@ -1,0 +1,202 @@
+"""Learn a task from demonstrations: cut, assign, generalize path and structure (paper III)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from assistant.errors import BadInput
+from assistant.geometry import Array, compose, relative
+from assistant.learning.conditions import Inferred, inferred
+from assistant.learning.docking import docking_sample, grasp_ways, release_ways, straightened
+from assistant.learning.generalization import Sampled, primitive_at, sampled
+from assistant.learning.segmentation import segment
+from assistant.learning.signals import gripper_events
+from assistant.learning.smoothing import smooth
+from assistant.learning.stations import Visit, frames, touches, visits
+from assistant.learning.structure import optional_questions
+from assistant.model.demonstration import Demonstration
+from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
+from assistant.model.scene import Scene
+from assistant.model.settings import GeneralizationSettings, SegmentationSettings, SignalSettings
+from assistant.model.task import Task, primitives
+
+
+@dataclass(frozen=True, slots=True)
+class Context:
+    """What stays the same while one demonstration is generalized."""
+
+    demonstration: Demonstration
+    task: Task
+    scene: Scene | None
+    given: GeneralizationSettings
+
+
+def learn(
+    demonstrations: Sequence[Demonstration],
+    task: Task,
+    *,
+    cuts_s: Sequence[float] | None = None,
+    assigned: Sequence[tuple[int, str]] = (),
+    scene: Scene | None = None,
+    settings: SegmentationSettings | None = None,
+) -> Lesson:
+    """Return what the demonstrations of one task teach.
+
+    Parameters
+    ----------
+    demonstrations : sequence of Demonstration
+        Several are learned from together.
+    task : Task
+        As introduced; corrections it was given before are kept.
+    cuts_s, assigned : optional
+        What the teacher fixed, of the last demonstration; as in `segment`.
+    scene : Scene, optional
+        Tells surface normals, and relates bodies to hands.
+    settings : SegmentationSettings, optional
+
+    Raises
+    ------
+    NothingLearned
+        If nothing that could be carried out was shown.
+    BadInput
+        If there is no demonstration.
+    """
+    if not demonstrations:
+        raise BadInput.one("demonstrations", "none given", "at least one is needed")
+    last = len(demonstrations) - 1
+    lessons = [
+        _learn_one(
+            demonstration,
+            task,
+            scene,
+            segment(
+                demonstration,
+                task,
+                settings,
+                cuts_s=cuts_s if k == last else None,
+                assigned=assigned if k == last else (),
+            ),
+        )
+        for k, demonstration in enumerate(demonstrations)
+    ]
+    lesson = lessons[0]
+    if last:
+        from assistant.learning.together import together
+
+        lesson = together(lessons, task)
+    if task.learned is None:
+        return lesson
+    return replace(lesson, feedback=task.learned.feedback, speed=task.learned.speed)
+
+
+def _learn_one(
+    demonstration: Demonstration, task: Task, scene: Scene | None, found: Segmentation
+) -> Lesson:
+    lesson = Lesson(
+        segmentation=found,
+        path=None,
+        sources=(demonstration.source,),
+        approach_axis=demonstration.approach_axis,
+    )
+    if demonstration.recording.gripper_m is None:
+        return lesson
+    context = Context(demonstration, task, scene, GeneralizationSettings())
+    smoothed = smooth(demonstration.recording)
+    events = gripper_events(demonstration.recording, SignalSettings())
+    seen = visits(task, events, found.episodes) or touches(task, found.episodes)
+    even = sampled(smoothed, [visit.at_s for visit in seen], context.given)
+    return _generalized(context, lesson, even, seen)
+
+
+def _generalized(
+    context: Context, lesson: Lesson, even: Sampled, seen: tuple[Visit, ...]
+) -> Lesson:
+    leaves = primitives(context.task.tree)
+    names = [leaf.name for leaf in leaves]
+    position = primitive_at(even.shown_s, lesson.segmentation.episodes, names)
+    path, stations = _docked(context, lesson.segmentation, even, seen)
+    states = inferred(leaves, path, position, stations)
+    return replace(
+        lesson,
+        segmentation=_with_questions(context.task, lesson.segmentation, states, names, position),
+        path=LearnedPath(even.t_s, path, even.gripper_m, position),
+        stations=stations,
+        before={name: those for name, those in states.before.items() if those},
+        until={name: those for name, those in states.until.items() if those},
+    )
+
+
+def _with_questions(
+    task: Task,
+    found: Segmentation,
+    states: Inferred,
+    names: Sequence[str],
+    position: np.ndarray[tuple[int], np.dtype[np.int64]],
+) -> Segmentation:
+    shown = [names[at] for at in np.unique(position) if at >= 0]
+    return replace(found, questions=(*found.questions, *optional_questions(task, states, shown)))
+
+
+def _docked(
+    context: Context, found: Segmentation, even: Sampled, seen: tuple[Visit, ...]
+) -> tuple[Array, tuple[Station, ...]]:
+    """Return the path with straight docking, and its stations."""
+    path, given = even.path, context.given
+    placed = frames(seen, even.path[list(even.acts)], context.demonstration, context.scene)
+    stations: list[Station] = []
+    earliest = 0
+    for k, (visit, at) in enumerate(zip(seen, even.acts, strict=True)):
+        suggested = _suggested(found, visit, even.shown_s)
+        docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
+        ways = _ways(context, visit, path[at], placed[k])
+        if visit.kind != "touch":
+            path = straightened(path, at, docking_at, ways, earliest, given.settle_m)
+        latest = even.acts[k + 1] if k + 1 < len(seen) else len(path) - 1
+        left_at = _left(path[:, :3], at, latest, given.leave_m)
+        stations.append(
+            Station(
+                kind=visit.kind,
+                object=visit.object,
+                frame=visit.frame,
+                primitive=visit.primitive,
+                at=at,
+                docking_at=docking_at,
+                left_at=left_at,
+                frame_to_world=placed[k],
+                hand_in_frame=relative(placed[k], path[at]),
+                docking_in_frame=relative(placed[k], path[docking_at]),
+            )
+        )
+        earliest = left_at
+    return path, tuple(stations)
+
+
+def _suggested(found: Segmentation, visit: Visit, shown_s: Array) -> int:
+    """Return the sample at which the primitive of a visit begins, which is where docking ends."""
+    own = [part.from_s for part in found.episodes if part.primitive == visit.primitive]
+    begin_s = min(own) if own else visit.at_s
+    return int(np.searchsorted(shown_s, min(begin_s, visit.at_s)))
+
+
+def _ways(context: Context, visit: Visit, hand: Array, frame: Array) -> Array:
+    if visit.kind != "release":
+        return grasp_ways(context.demonstration.approach_axis)
+    normal = np.array([0.0, 0.0, 1.0])
+    body = context.scene.bodies.get(visit.frame) if context.scene else None
+    if body is not None:
+        from assistant.geometry import inverse, rotate_vector
+
+        to_world = compose(frame, inverse(body.hand_in_body))
+        normal = rotate_vector(to_world[3:], np.array(body.normal) / np.linalg.norm(body.normal))
+    return release_ways(normal, hand)
+
+
+def _left(xyz: Array, at: int, latest: int, leave_m: float) -> int:
+    """Return where the hand has left a station, at the latest half way to the next."""
+    steps = np.linalg.norm(np.diff(xyz[at : latest + 1], axis=0), axis=1)
+    travel = np.concatenate([[0.0], np.cumsum(steps)])
+    enough = min(leave_m, 0.3 * float(travel[-1]))
+    return at + int(np.searchsorted(travel, enough))
