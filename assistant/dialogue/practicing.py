@@ -34,6 +34,10 @@ from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import Primitive, primitives
 
 
+NAMED = ("no_setup",)
+"""Refusals that have a sentence of their own."""
+
+
 def checked(dialogue: Dialogue, event: Checked) -> Turn:
     """Move only now, and only if this very run was accepted."""
     run = dialogue.run
@@ -75,12 +79,22 @@ def _at_rest_state(dialogue: Dialogue) -> bool:
 
 def refusal_line(act: Any, refusal: Refusal) -> RobotAct:
     """Return a line with everything a refusal tells."""
-    return line(
+    topic = refusal.reason if refusal.what or not refusal.where else f"{refusal.reason}.only"
+    if refusal.where in NAMED:
+        topic = refusal.where
+    return RobotAct(
         act,
-        refusal.reason,
+        topic,
+        slots=_refusal_slots(refusal),
+    )
+
+
+def _refusal_slots(refusal: Refusal) -> dict[str, Any]:
+    return dict(
+        reason=refusal.reason,
         where=refusal.where,
         what=refusal.what,
-        amount=round(refusal.amount, 1),
+        amount=round(refusal.amount, 1) or None,
         unit=refusal.unit,
         hint=refusal.hint,
     )

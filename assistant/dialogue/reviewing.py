@@ -9,7 +9,8 @@ from assistant.dialogue.asking import ask, index_of, introduced, learn, tell
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.naming import alike
-from assistant.dialogue.sketch import at, put
+from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.sketch import Sketch, at, inserted, names, put
 from assistant.dialogue.state import (
     AwaitingShow,
     Dialogue,
@@ -138,7 +139,7 @@ def _yes(dialogue: Dialogue, state: Reviewing) -> Turn:
         known = replace(dialogue.known, root=put(root, index, node))
         return next_question(changed(dialogue, "unordered", known), state)
     if head.asked == "missing_step":
-        return ask(dialogue)
+        return _show_again(dialogue, head.about)
     return next_question(dialogue, state)
 
 
@@ -147,11 +148,34 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
     head = state.questions[0]
     if head.asked != "missing_step":
         return tell(dialogue, line("error", "not_now"))
+    if head.reason == "never_introduced":
+        return _introduced_late(dialogue, value, float(str(head.facts.get("from_s", 0.0))))
     nodes = [part.primitive for part in _episodes(dialogue) if part.primitive]
     if alike(value, nodes):
         return tell(dialogue, line("told", "step_was_seen", name=value))
+    return _show_again(dialogue, value)
+
+
+def _show_again(dialogue: Dialogue, name: str) -> Turn:
     waiting = replace(dialogue, state=AwaitingShow())
-    return tell(waiting, line("told", "needs_demonstration", name=value))
+    return tell(waiting, line("told", "needs_demonstration", name=name))
+
+
+def _introduced_late(dialogue: Dialogue, name: str, from_s: float) -> Turn:
+    """Take the name of a step that was shown but not introduced, and learn with it."""
+    known, lesson = dialogue.known, dialogue.known.lesson
+    if lesson is None or alike(name, names(known.root)):
+        return tell(dialogue, line("error", "name_taken", name=name))
+    episodes = lesson.segmentation.episodes
+    number = min(range(len(episodes)), key=lambda at: abs(episodes[at].from_s - from_s))
+    before = episodes[number - 1].primitive if number else None
+    after = index_of(known, before) if before else ()
+    parent, position = (after[:-1], after[-1] + 1) if after else ((), 1)
+    root = inserted(known.root, parent, position, Sketch(name))
+    assigned = tuple(sorted({**dict(_as_assigned(lesson)), number + 1: name}.items()))
+    more = replace(known, root=root, cuts_s=_boundaries(lesson), assigned=assigned)
+    added = changed(dialogue, "added", all_understood(more))
+    return first(say(added, line("done", "added", name=name))[1], learn(added))
 
 
 def _episodes(dialogue: Dialogue) -> tuple[Any, ...]:

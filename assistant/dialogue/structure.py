@@ -20,7 +20,7 @@ from assistant.dialogue.sketch import (
     walk,
     with_parts,
 )
-from assistant.dialogue.state import Dialogue, Knowledge, Pending
+from assistant.dialogue.state import Dialogue, Knowledge, Pending, Reviewing
 from assistant.dialogue.turn import Turn, changed, line, say
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson
@@ -44,6 +44,7 @@ def edit(dialogue: Dialogue, act: Edit) -> Turn:
     """Change the tree as the teacher says and tell what was changed."""
     if dialogue.arm in ("moving", "checking") and not isinstance(act, acts.Rename):
         return say(dialogue, line("error", "while_moving"))
+    dialogue = _answering(dialogue, act)
     match act:
         case acts.Rename(old, new):
             return rename(dialogue, old, new)
@@ -61,6 +62,18 @@ def edit(dialogue: Dialogue, act: Edit) -> Turn:
             return _merge(dialogue, named)
         case acts.Split(name):
             return _split(dialogue, name)
+
+
+def _answering(dialogue: Dialogue, act: Edit) -> Dialogue:
+    """Return the dialogue without the question of learning that this very change answers."""
+    state = dialogue.state
+    named = getattr(act, "subtask", None)
+    if not isinstance(state, Reviewing) or not state.questions or named is None:
+        return dialogue
+    index = find(dialogue.known, named)
+    if index is None or name_at(dialogue.known, index) != state.questions[0].about:
+        return dialogue
+    return replace(dialogue, state=Reviewing(state.questions[1:]))
 
 
 def find(known: Knowledge, text: str) -> Index | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 
@@ -27,7 +28,7 @@ from assistant.model.motion import Alignment, ArmReport
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Condition, Primitive, Subtask, Task, TaskObject, Action
+from assistant.model.task import Action, Condition, Primitive, Subtask, Task, TaskObject
 
 STEPS = (
     "approach object",
@@ -83,11 +84,10 @@ def lesson(questions: tuple[Question, ...] = (), steps: Iterable[str] = STEPS) -
     return Lesson(found, learned, stations, {}, until)
 
 
-def _station(kind: str, frame: str, primitive: str) -> Station:
+def _station(kind: Literal["grasp", "release"], frame: str, primitive: str) -> Station:
     pose = SCENE.hand_pose(frame, SETUP.places[frame])
     own = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-    which = "grasp" if kind == "grasp" else "release"
-    return Station(which, "block", frame, primitive, 5, 4, 6, pose, own, own)
+    return Station(kind, "block", frame, primitive, 5, 4, 6, pose, own, own)
 
 
 def tree_task(learned: Lesson | None = None) -> Task:
@@ -188,6 +188,8 @@ class Lessons:
     def finish(self) -> Lessons:
         for at in range(5):
             self.report("primitive", at)
+            if at == 0:
+                self.report("perceived", at, text="docked", object="block")
             if at == 1:
                 self.report("perceived", at, text="held", object="block")
         self.report("perceived", 4, text="on", object="block", target="target")

@@ -1,0 +1,59 @@
+"""Names and answers tell actions."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.language.actions import mentioned_objects, read_action
+from assistant.model.task import Action, TaskObject
+
+THINGS = (TaskObject("block", "object"), TaskObject("target", "target"))
+STACK = (
+    TaskObject("red block", "object"),
+    TaskObject("green block", "object"),
+    TaskObject("blue block", "target"),
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "way", "thing"),
+    [
+        ("approach object", "move", "approach", "block"),
+        ("grasp object", "hand", "close", "block"),
+        ("close the hand", "hand", "close", "block"),
+        ("move up object", "move", "up", "block"),
+        ("lift it", "move", "up", "block"),
+        ("move object down to target", "move", "down", "target"),
+        ("move down to the target", "move", "down", "target"),
+        ("lower the block", "move", "down", "target"),
+        ("let go of the block", "hand", "open", "target"),
+        ("open the hand", "hand", "open", "target"),
+        ("go to the target", "move", "to", "target"),
+        ("turn the block left", "turn", "left", "block"),
+        ("rotate it a bit clockwise", "turn", "clockwise", "block"),
+        ("retreat", "move", "depart", "block"),
+    ],
+)
+def test_plain_motions_are_sure(text: str, verb: str, way: str, thing: str) -> None:
+    reading = read_action(text, THINGS)
+    assert reading.action == Action(verb, way, thing)  # type: ignore[arg-type]
+    assert reading.sure
+
+
+@pytest.mark.parametrize(
+    "text", ["pick up object", "place object on target", "put it down", "take it", "wipe the table"]
+)
+def test_what_may_be_several_motions_is_not_sure(text: str) -> None:
+    assert not read_action(text, THINGS).sure
+
+
+def test_longer_names_take_their_words_away() -> None:
+    things = (TaskObject("block", "object"), TaskObject("blue block", "target"))
+    assert mentioned_objects("the blue block", things) == ("blue block",)
+
+
+def test_the_place_something_goes_to_is_the_one_concerned() -> None:
+    down = read_action("move red block down to blue block", STACK).action
+    assert down == Action("move", "down", "blue block")
+    place = read_action("place green block on red block", STACK).action
+    assert place == Action("hand", "open", "red block")
