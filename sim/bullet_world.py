@@ -56,6 +56,7 @@ class BulletWorld:
             fixedTimeStep=1.0 / settings.physics_hz,
             numSolverIterations=settings.iterations,
             solverResidualThreshold=0.0,
+            frictionERP=settings.friction_erp,
             deterministicOverlappingPairs=1,
         )
         self._load_arm()

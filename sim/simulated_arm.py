@@ -222,10 +222,10 @@ class SimulatedArm:
         if held != stop.object:
             return (self._halt("unmet", "held", stop.object),)
         self._carried = held
-        if self._sensor is not None:
+        if held and self._sensor is not None:
             self._correct(held, min(stop.left_at, playback.motion.t_s.size - 1))
-        hand = self._report("perceived", "hand", "closed")
-        return hand, self._report("perceived", "held", held)
+        closed = self._report("perceived", "hand", "closed")
+        return (closed, self._report("perceived", "held", held)) if held else (closed,)
 
     def _let_go(self, stop: HandStop, held: str) -> tuple[ArmReport, ...]:
         self._carried = ""
@@ -261,6 +261,8 @@ class SimulatedArm:
 
     def _plan_reports(self, motion: JointPath) -> None:
         for stop in motion.stops:
+            if not stop.frame:
+                continue
             docked = ArmReport("perceived", 0.0, -1, "docked", stop.frame)
             self._told_samples.append((stop.docking_at, docked))
             if stop.kind == "release":
@@ -270,7 +272,9 @@ class SimulatedArm:
 
     def _passed(self, playback: Playback) -> list[ArmReport]:
         told = []
-        primitive = int(playback.motion.primitive_at[playback.sample])
+        # Where the gripper has yet to act, the primitive before is not over.
+        sample = playback.sample - 1 if playback.at_station else playback.sample
+        primitive = int(playback.motion.primitive_at[max(sample, 0)])
         while self._told_samples and self._told_samples[0][0] <= playback.sample:
             report = self._told_samples.pop(0)[1]
             told.append(self._report(report.kind, report.text, report.object))
