@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from assistant.errors import WorkFailed
+from assistant.files.demonstrations import read_demonstration
 from assistant.files.transcripts import transcript_of
 from assistant.model.transcript import Demonstrate, Step, Wait
 from assistant.plain_yaml import read_text
@@ -62,15 +63,25 @@ def demonstrate(session: Session, step: Demonstrate, base: Path) -> None:
             f"the robot is not watching (stage {session.listening.stage}, "
             f"asked {session.listening.asked}); introduce the task first"
         )
-    if step.recording is not None:
-        step = replace(step, recording=str((base / step.recording).resolve()))
+    step = _found(step, base)
     mover = session.mover
     hand = session.equipment.hand(step, session.dialogue.known.task, mover.scene, mover.setup)
     session.watch(hand)
     if session.watching is not None:
-        if step.cues is not None:
-            session.watching.declare(step.cues, step.key_states)
+        if step.cues or step.key_states:
+            session.watching.declare(step.cues or (), step.key_states)
         session.end_recording(keep=True)
+
+
+def _found(step: Demonstrate, base: Path) -> Demonstrate:
+    """Return the step with its file's whole path, and what a demonstration file says was said."""
+    if step.recording is None:
+        return step
+    path = (base / step.recording).resolve()
+    if path.suffix not in (".yaml", ".yml") or step.cues or step.key_states:
+        return replace(step, recording=str(path))
+    shown = read_demonstration(path)
+    return replace(step, recording=str(path), cues=shown.cues, key_states=shown.key_states)
 
 
 def leave(session: Session, why: str) -> None:

@@ -23,6 +23,7 @@ from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
+from assistant.model.teacher_acts import Stop
 from assistant.model.transcript import Note
 from assistant.ports import Hand, HandSample
 from assistant.session.doing import do
@@ -121,7 +122,9 @@ class Session:
             self.equipment.stop_flag.set()
 
     def understood(self, text: str) -> Understanding:
-        """Return what words mean here and now."""
+        """Return what words mean here and now; while the arm moves a stop word means stop."""
+        if self.listening.moving and has_stop_word(text, self.language):
+            return Understanding((Stop(),), 1.0, text)
         return understand(text, self.listening, self.language)
 
     def hear(self, text: str, *, by_voice: bool = False) -> None:

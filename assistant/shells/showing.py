@@ -7,7 +7,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 from assistant.errors import AssistantError
-from assistant.files.demonstrations import read_demonstration
 from assistant.model.transcript import Demonstrate
 from assistant.session.acting import demonstrate
 from assistant.session.loop import Session
@@ -61,17 +60,10 @@ class Showing:
                 seed = int(scripted.group(1) or 0)
                 demonstrate(session, Demonstrate(seed=seed, cues=None), Path())
             elif line.endswith((".csv", ".yaml", ".yml")):
-                self._file(session, Path(line).expanduser())
+                path = Path(line).expanduser()
+                demonstrate(session, Demonstrate(recording=str(path)), Path())
             else:
                 return False
         except AssistantError as error:
             self._write(f"  {error}")
         return True
-
-    def _file(self, session: Session, path: Path) -> None:
-        if path.suffix == ".csv":
-            demonstrate(session, Demonstrate(recording=str(path)), Path())
-            return
-        shown = read_demonstration(path)
-        step = Demonstrate(str(path), cues=shown.cues, key_states=shown.key_states)
-        demonstrate(session, step, Path())

@@ -5,6 +5,8 @@ The arm moves beside the typing; a half-typed sentence stays as it is while the 
 
 from __future__ import annotations
 
+import os
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -12,11 +14,9 @@ from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
 from prompt_toolkit.completion import CompleteEvent, Completer, Completion
 from prompt_toolkit.document import Document
-from prompt_toolkit.formatted_text import FormattedText
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.patch_stdout import patch_stdout
-from prompt_toolkit.shortcuts import print_formatted_text
 
 from assistant.language.completion import suggestions
 from assistant.model.robot_acts import RobotAct
@@ -29,7 +29,9 @@ WELCOME = (
     "  Answer in your own words and press Enter. Tab shows what can be said now,",
     "  Ctrl-C stops the arm at once, 'help' explains, 'quit' leaves. Nothing you say is lost.",
 )
-STYLES = {"stopped": "bold ansired", "refuse": "ansiyellow", "error": "ansired", "ask": "bold"}
+STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm": "1"}
+"""Colors of a terminal by the robot's acts (ANSI)."""
+NAME_STYLE, HINT_STYLE = "36", "90"
 REFRESH_S = 0.5
 
 
@@ -51,8 +53,7 @@ class TextShell:
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
-        style = STYLES.get(line.act, "")
-        print_formatted_text(FormattedText([("ansicyan", "robot: "), (style, text)]))
+        write(f"{styled('robot: ', NAME_STYLE)}{styled(text, STYLES.get(line.act, ''))}")
 
     def run(self, session: Session) -> None:
         """Hold the conversation until the robot leaves or the terminal closes."""
@@ -113,10 +114,23 @@ class TextShell:
         return keys
 
     def _write(self, line: str) -> None:
-        print_formatted_text(FormattedText([("ansigray", line)]))
+        write(styled(line, HINT_STYLE))
 
     def _fail(self, error: BaseException) -> None:
         self._error = error
+
+
+def write(text: str) -> None:
+    """Write a line above the one being typed; safe from any thread while the prompt is open."""
+    sys.stdout.write(f"{text}\n")
+    sys.stdout.flush()
+
+
+def styled(text: str, style: str) -> str:
+    """Return text in a color, unless colors are not wanted."""
+    if not style or os.environ.get("NO_COLOR"):
+        return text
+    return f"\x1b[{style}m{text}\x1b[0m"
 
 
 class Sayable(Completer):
@@ -138,7 +152,8 @@ class Sayable(Completer):
 def toolbar(session: Session) -> str:
     """Return where the conversation stands: stage, node of the tree, what the arm does."""
     stage = session.listening.stage
-    node = str(session.dialogue_view.get("node") or session.listening.task or "no task yet")
+    view = session.dialogue_view
+    node = str(view.get("at") or session.listening.task or "no task yet")
     arm = "MOVING - Ctrl-C stops" if session.moving else "arm at rest"
     return f" {stage} | {node} | {arm} "
 
