@@ -11,10 +11,11 @@ import argparse
 import importlib
 import os
 import sys
+import traceback
 from collections.abc import Sequence
 from typing import NoReturn
 
-from assistant.errors import BadInput, WorkFailed
+from assistant.errors import AssistantError, BadInput, WorkFailed
 
 DONE, FAILED, BAD_INPUT = 0, 1, 2
 INTERRUPTED = 130
@@ -68,12 +69,31 @@ def main(argv: Sequence[str] | None = None) -> int:
         # The reader has left (`| head`): nobody is there to be told.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+    except Exception as error:
+        print(f"assistant {words[0]}: a fault of the program: {_kept(error)}", file=sys.stderr)
+        return FAILED
+
+
+def _kept(error: Exception) -> str:
+    """Keep the whole story of a fault in a file; return one line about it."""
+    from assistant.files.home import home
+
+    told = f"{type(error).__name__}: {error}".splitlines()[0]
+    try:
+        path = home() / "faults.log"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("a", encoding="utf-8") as file:
+            traceback.print_exception(error, file=file)
+    except (OSError, AssistantError):
+        return told
+    return f"{told} (the whole story is in {path})"
 
 
 def _run(words: list[str]) -> int:
     verb = words[0]
-    if verb not in VERBS:
+    if verb.startswith("-"):
         _overview().parse_args(words)
+    if verb not in VERBS:
         raise BadInput.one("assistant", f"unknown verb {verb!r}", f"one of {', '.join(VERBS)}")
     module = importlib.import_module(f"assistant.cli.{verb}")
     parser = Parser(
