@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assistant.shells.voice.mouth import Mouth, Voice, engines
+from assistant.shells.voice.mouth import Mouth, Voice
 from assistant.shells.voice.sound import RATE_HZ, Samples, read_sound
 from assistant.shells.voice.spotter import HOP, WEIGHTS, Embedder, Features, stacked
 
@@ -49,8 +49,15 @@ class Examples:
     labels: NDArray[np.float32]
 
 
-def voices(held_out: bool) -> tuple[Voice, ...]:
-    """Return synthesized speakers to train on, or those kept for the figures."""
+def voices(held_out: bool, piper: Sequence[str] = ()) -> tuple[Voice, ...]:
+    """Return synthesized speakers to train on, or those kept for the figures.
+
+    Parameters
+    ----------
+    held_out : bool
+    piper : sequence of str
+        Piper model files to train on as well.
+    """
     variants = _HELD_OUT_VARIANTS if held_out else _TRAINED_VARIANTS
     told = [
         Voice("espeak-ng", f"{_ACCENTS[at % len(_ACCENTS)]}+{variant}".rstrip("+"), rate)
@@ -59,8 +66,7 @@ def voices(held_out: bool) -> tuple[Voice, ...]:
     ]
     flite = ("rms",) if held_out else ("slt", "awb", "kal")
     told += [Voice("flite", name, rate) for name in flite for rate in (135, 165, 195)]
-    if not held_out and "piper" in engines():
-        told.append(Voice("piper"))
+    told += [Voice("piper", model) for model in piper]
     return tuple(told)
 
 
@@ -158,17 +164,35 @@ def _slopes(
     ]
 
 
+def report(told: Examples, weights: dict[str, Any]) -> str:
+    """Return misses and false alarms, by row, at several thresholds."""
+    hidden = np.maximum((told.features - weights["mean"]) / weights["scale"] @ weights["w1"]
+                        + weights["b1"], 0.0)  # fmt: skip
+    scores = 1.0 / (1.0 + np.exp(-(hidden @ weights["w2"] + weights["b2"])))
+    stop = told.labels > 0.5
+    rows = [
+        f"at {at:.2f}: {np.mean(scores[stop] < at):.3f} missed, "
+        f"{np.mean(scores[~stop] >= at):.5f} false"
+        for at in (0.5, 0.8, 0.9, 0.95, 0.98, 0.99)
+    ]
+    return "\n".join(rows)
+
+
 def main() -> int:
-    """Train, choose the threshold on held-out voices' sentences, write the weights."""
+    """Train, tell how voices kept apart are heard, write the weights."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=WEIGHTS)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--threshold", type=float, default=0.95)
+    parser.add_argument("--piper", nargs="*", default=(), metavar="MODEL")
     args = parser.parse_args()
     rng = np.random.default_rng(args.seed)
     embed = Embedder()
-    told = examples(voices(held_out=False), embed, rng, copies=2)
+    told = examples(voices(held_out=False, piper=args.piper), embed, rng, copies=1)
     weights = train(told, rng)
-    np.savez(args.out, threshold=np.float32(0.9), **weights)
+    kept_apart = examples(voices(held_out=True), embed, rng, copies=1)
+    sys.stderr.write(report(kept_apart, weights) + "\n")
+    np.savez(args.out, threshold=np.float32(args.threshold), **weights)
     return 0
 
 
