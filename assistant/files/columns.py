@@ -26,7 +26,7 @@ def columns_of(header: list[str], where: str) -> list[int]:
         With every column that is missing, twice there, or of another name or unit.
     """
     names = [name.strip().strip('"').strip() for name in header]
-    if any(_is_number(name) for name in names) or len(names) == 1:
+    if any(_is_number(name) for name in names) or (len(names) == 1 and names[0] not in COLUMNS):
         raise BadInput.one(where, _no_header(names), f"the first line is {','.join(COLUMNS)}")
     problems = [
         Problem(where, f"column {name!r} is not known", _meant(name))

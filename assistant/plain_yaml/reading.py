@@ -87,7 +87,8 @@ def read_text(text: str, file: str = "<text>") -> tuple[Document, ...]:
 
 
 def _no_yaml(error: yaml.MarkedYAMLError, file: str) -> Problem:
-    mark = error.problem_mark or error.context_mark
+    unclosed = "quoted scalar" in (error.context or "")
+    mark = (unclosed and error.context_mark) or error.problem_mark or error.context_mark
     where = f"{file}:{mark.line + 1}" if mark else file
     began = error.context_mark
     context = ""

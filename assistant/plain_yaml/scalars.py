@@ -25,7 +25,7 @@ _WORDS: dict[str, Plain] = {
 }
 _NUMBER_STARTS = frozenset("0123456789+-.")
 _NEVER_FIRST = frozenset("-?:,[]{}#&*!|>'\"%@`~=")
-_FLOW = re.compile(r"[\[\]{},]")
+_FLOW = re.compile(r"[\[\]{},]|:\?")
 _NOT_PLAIN = re.compile(
     r": |:$| #|[\x00-\x1f\x7f-\xa0\u2028\u2029\ufeff\ud800-\udfff]|[\ufffe\uffff]"
 )

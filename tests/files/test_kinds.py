@@ -1,0 +1,68 @@
+"""Any file is read by its format, and oddities are told without refusing it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from assistant.errors import BadInput
+from assistant.files.kinds import read_any, read_known
+from assistant.files.shipped import shipped
+from assistant.model.setup import Setup
+from assistant.model.task import Task
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        *sorted(shipped("tasks").rglob("*.yaml")),
+        *sorted(shipped("tasks").rglob("*.csv")),
+        *sorted(path for path in shipped("transcripts").rglob("*.yaml")),
+    ],
+    ids=lambda path: path.name,
+)
+def test_every_shipped_file_is_good_and_nothing_about_it_is_odd(path: Path) -> None:
+    assert read_known(path).warnings == ()
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("a: 1\n", "there is no format; begin with format: task/1 or setup/1"),
+        ("- 1\n- 2\n", "there is no format"),
+        ("just text", "there is no format"),
+        ("format: recipe/1\n", "format 'recipe/1' is not known here"),
+        ("format: [task/1]\n", "is not known here"),
+        ("", "the file is empty"),
+        ("---\n---\n", "the file is empty"),
+    ],
+)
+def test_what_is_none_of_our_files_is_told(tmp_path: Path, text: str, told: str) -> None:
+    path = tmp_path / "x.yaml"
+    path.write_text(text)
+    with pytest.raises(BadInput) as caught:
+        read_any(path)
+    assert told in str(caught.value)
+
+
+def test_places_told_in_metres_and_names_twice_are_odd(tmp_path: Path) -> None:
+    one = "format: setup/1\nname: a\nplaces: {block: {xyz_mm: [0.5, 0.2, 0.3]}}\n"
+    path = tmp_path / "x.yaml"
+    path.write_text(f"{one}---\n{one}")
+    known = read_known(path)
+    assert isinstance(known.value, tuple)
+    assert all(isinstance(each, Setup) for each in known.value)
+    told = "\n".join(map(str, known.warnings))
+    assert "a: block is less than 10 mm from the base; xyz_mm is in millimetres" in told
+    assert "two setups are named 'a'" in told
+
+
+def test_small_bodies_and_empty_subtasks_are_odd(tmp_path: Path) -> None:
+    path = tmp_path / "x.yaml"
+    path.write_text("format: scene/1\nname: s\nbodies: {b: {size_mm: [0.06, 0.04, 0.1]}}\n")
+    assert "size_mm is in millimetres" in str(read_known(path).warnings[0])
+    path.write_text("format: task/1\nname: t\ntree: {subtask: t}\n")
+    known = read_known(path)
+    assert isinstance(known.value, Task)
+    assert "the subtask 't' has no parts" in str(known.warnings[0])

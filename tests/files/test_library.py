@@ -1,0 +1,115 @@
+"""Kept tasks: nothing that was taught is lost by saving, not even on a bad disk."""
+
+from __future__ import annotations
+
+import errno
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from assistant.errors import BadInput
+from assistant.files.home import home
+from assistant.files.library import MOST_EARLIER, Library, library
+from assistant.files.writing import write_text
+from tests.files.examples import lesson, task
+from tests.files.same import same
+
+
+@pytest.fixture
+def kept(tmp_path: Path) -> Library:
+    return Library(tmp_path / "tasks")
+
+
+def test_a_kept_task_comes_back_under_its_name(kept: Library) -> None:
+    assert kept.names() == ()
+    kept.save("Pick & Place!", task(lesson()))
+    assert kept.names() == ("pick_place",)
+    assert "pick & place" in kept
+    assert same(kept.load("pick_place"), task(lesson()))
+
+
+def test_saving_over_another_task_needs_to_be_said_and_keeps_the_old_one(kept: Library) -> None:
+    first, second = task(), replace(task(), goal="another")
+    kept.save("it", first)
+    kept.save("it", first)
+    with pytest.raises(BadInput, match="another task is kept as 'it'; choose another name"):
+        kept.save("it", second)
+    kept.save("it", second, overwrite=True)
+    assert kept.load("it").goal == "another"
+    (old,) = kept.earlier("it")
+    assert old.name == "it.1.yaml"
+    assert kept.names() == ("it",)
+
+
+def test_only_the_latest_versions_are_kept(kept: Library) -> None:
+    for number in range(MOST_EARLIER + 5):
+        kept.save("it", replace(task(), goal=str(number)), overwrite=True)
+    earlier = kept.earlier("it")
+    assert len(earlier) == MOST_EARLIER
+    assert earlier[-1].name == f"it.{MOST_EARLIER + 4}.yaml"
+
+
+def test_a_deleted_task_is_gone_and_others_stay(kept: Library) -> None:
+    kept.save("one", task())
+    kept.save("one", replace(task(), goal="x"), overwrite=True)
+    kept.save("two", task())
+    kept.delete("one")
+    assert kept.names() == ("two",)
+    assert kept.earlier("one") == ()
+    with pytest.raises(BadInput, match="no task 'one' is kept; known: two"):
+        kept.delete("one")
+    with pytest.raises(BadInput, match="no task 'one' is kept; known: two"):
+        kept.load("one")
+
+
+def test_a_full_disk_costs_nothing_that_was_kept(
+    kept: Library, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept.save("it", task())
+    before = kept.path("it").read_bytes()
+
+    def full(handle: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(BadInput, match=r"cannot be written \(No space left on device\)"):
+        kept.save("it", replace(task(), goal="new"), overwrite=True)
+    assert kept.path("it").read_bytes() == before
+    assert [path.name for path in kept.folder.iterdir() if path.is_file()] == ["it.yaml"]
+
+
+def test_a_folder_that_cannot_be_made_is_told(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    with pytest.raises(BadInput, match="cannot be written"):
+        Library(tmp_path / "file" / "tasks").save("it", task())
+
+
+def test_files_keep_their_rights_and_links_their_goal(tmp_path: Path) -> None:
+    path = tmp_path / "it.yaml"
+    write_text(path, "old")
+    path.chmod(0o640)
+    link = tmp_path / "link.yaml"
+    link.symlink_to(path)
+    write_text(link, "new")
+    assert path.read_text() == "new"
+    assert path.stat().st_mode & 0o777 == 0o640
+    assert link.is_symlink()
+
+
+def test_writing_where_no_folder_is_says_so(tmp_path: Path) -> None:
+    with pytest.raises(BadInput, match="its folder does not exist; make"):
+        write_text(tmp_path / "none" / "x", "")
+    with pytest.raises(BadInput, match="cannot be written"):
+        write_text(tmp_path, "")
+
+
+def test_the_home_folder_is_where_it_is_told(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ASSISTANT_HOME", str(tmp_path))
+    assert home() == tmp_path
+    assert library().folder == tmp_path / "tasks"
+    monkeypatch.delenv("ASSISTANT_HOME")
+    assert home().name == "teaching-assistant"
