@@ -44,7 +44,6 @@ def add_body(client: Client, body: Body, base: Array) -> int:
         number,
         -1,
         lateralFriction=body.friction,
-        frictionAnchor=True,
         linearDamping=0.0,
         angularDamping=0.0,
         rollingFriction=1e-4 if body.shape == "sphere" else 0.0,
@@ -66,7 +65,7 @@ def add_obstacle(client: Client, box: Obstacle) -> int:
         basePosition=pose[:3].tolist(),
         baseOrientation=pose[3:].tolist(),
     )
-    client.changeDynamics(number, -1, lateralFriction=TABLE_FRICTION, frictionAnchor=True)
+    client.changeDynamics(number, -1, lateralFriction=TABLE_FRICTION)
     return number
 
 

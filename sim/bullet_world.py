@@ -87,10 +87,8 @@ class BulletWorld:
             client.changeDynamics(
                 self._arm, k, linearDamping=0.0, angularDamping=0.0, jointDamping=0.0
             )
-        for pad in self._pads:
-            client.changeDynamics(
-                self._arm, pad, lateralFriction=settings.pad_friction, frictionAnchor=True
-            )
+        self._anchored = False
+        self._anchor(True)
         gear = client.createConstraint(
             self._arm,
             self._fingers[0],
@@ -118,6 +116,8 @@ class BulletWorld:
         client, settings = self._client, self.settings
         begin, finger = self._q, self._finger_m
         speed = ((q - begin) / CONTROL_S).tolist()
+        force = settings.grip_n * allowed.grip
+        self._anchor(allowed.grip >= 1.0)
         six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
         for k in range(self._steps):
             share = k / self._steps
@@ -139,11 +139,24 @@ class BulletWorld:
                 targetPositions=[reach, reach],
                 positionGains=two,
                 velocityGains=[1.0, 1.0],
-                forces=[settings.grip_n] * 2,
+                forces=[force, force],
             )
             client.stepSimulation()
         self._q, self._finger_m = np.array(q), opening_m / 2
         return self._fault(allowed)
+
+    def _anchor(self, wanted: bool) -> None:
+        """Let the pads' friction hold places (carrying) or only oppose motion (letting go)."""
+        if wanted == self._anchored:
+            return
+        self._anchored = wanted
+        for pad in self._pads:
+            self._client.changeDynamics(
+                self._arm,
+                pad,
+                lateralFriction=self.settings.pad_friction,
+                frictionAnchor=wanted,
+            )
 
     def _fault(self, allowed: Allowed) -> Fault | None:
         client, settings = self._client, self.settings

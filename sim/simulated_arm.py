@@ -29,6 +29,10 @@ NOT_WHERE_PLANNED_RAD = np.deg2rad(1.0)
 """A motion must begin this close to where the arm is."""
 ACTING_S = 3.0
 """The gripper is done within this time, or something is wrong."""
+EASE_S = 0.16
+EASED = 0.02
+"""Before opening, the grip fades so long to this share. Fingers that leave a body while they
+press on it throw it by a millimetre, since one pad is always the first to let go."""
 STILL_TICKS = 8
 """The opening has settled when it has not changed for this many ticks."""
 STILL_M = 2e-5
@@ -79,6 +83,7 @@ class SimulatedArm:
         self._acting_s = 0.0
         self._still = self._lost = 0
         self._last_opening_m = np.inf
+        self._grip = 1.0
         self._released: list[HandStop] = []
         self._told_samples: list[tuple[int, ArmReport]] = []
 
@@ -183,7 +188,7 @@ class SimulatedArm:
         sample = playback.sample
         near = [s for s in playback.motion.stops if s.docking_at <= sample <= s.left_at]
         name = near[0].object if near else self._carried
-        return Allowed(name, bool(near) or not self._carried)
+        return Allowed(name, bool(near) or not self._carried, self._grip)
 
     def _lost_grip(self) -> Fault | None:
         self._lost = 0 if self.world.held() == self._carried else self._lost + 1
@@ -197,6 +202,10 @@ class SimulatedArm:
             # From where the fingers are, not from where a closed hand without a body would be.
             self._opening_m = before
         self._acting_s += CONTROL_S
+        if not closing:
+            self._grip = max(EASED, 1.0 - (1.0 - EASED) * self._acting_s / EASE_S)
+            if self._acting_s <= EASE_S + CONTROL_S:
+                return ()
         # The command is a ramp, so that the fingers meet the body slowly.
         step = a465.GRIPPER.speed_m_s * CONTROL_S
         goal = 0.0 if closing else a465.GRIPPER.open_m
@@ -215,7 +224,7 @@ class SimulatedArm:
 
     def _acted(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
         playback.pending.pop(0)
-        self._acting_s, self._still = 0.0, 0
+        self._acting_s, self._still, self._grip = 0.0, 0, 1.0
         held = self.world.held()
         if stop.kind == "release":
             return self._let_go(stop, held)

@@ -25,7 +25,7 @@ class Fault:
 
 @dataclass(frozen=True, slots=True)
 class Allowed:
-    """Contacts that belong to the plan.
+    """Contacts that belong to the plan, and how hard the fingers may press.
 
     Parameters
     ----------
@@ -33,10 +33,13 @@ class Allowed:
         The body the pads may touch.
     resting : bool
         Whether that body may touch what it stands on.
+    grip : float
+        Share of the full grip force; below 1 while the hand eases its grip before opening.
     """
 
     grasped: str = ""
     resting: bool = True
+    grip: float = 1.0
 
 
 class World(Protocol):
