@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from assistant.language.phrasebook import Phrase, Phrasebook
-from assistant.language.templates import Bound, matches
+from assistant.language.templates import Bound, Node, matches
 from assistant.language.words import Word, Words, said
 from assistant.model.teacher_acts import Asked, Inform
 
@@ -61,6 +61,11 @@ def trimmed(words: Words, book: Phrasebook) -> Words:
     return words
 
 
+def wrapped(words: Words, asked: Asked, book: Phrasebook) -> bool:
+    """Tell whether words are wrapped as an answer to the question."""
+    return _unwrapping(words, asked, book) is not None
+
+
 def _unwrapped(words: Words, asked: Asked, book: Phrasebook) -> Words:
     """Strip wrapping again and again until none is left."""
     for _ in range(4):
@@ -85,9 +90,9 @@ def _unwrapping(words: Words, asked: Asked, book: Phrasebook) -> tuple[str, int,
     return best
 
 
-def _common(asked: Asked, book: Phrasebook) -> tuple[tuple[object, ...], ...]:
+def _common(asked: Asked, book: Phrasebook) -> tuple[tuple[Node, ...], ...]:
     # A goal is a whole sentence: "it is on the target" must keep its beginning.
-    return () if asked == "goal" else book.answers["common"]  # type: ignore[return-value]
+    return () if asked == "goal" else book.answers["common"]
 
 
 def _count(words: Words, book: Phrasebook) -> Inform | None:

@@ -26,6 +26,10 @@ from assistant.model.teacher_acts import (
 
 SURE, LIKELY, DOUBTFUL, GUESS = 0.96, 0.9, 0.6, 0.4
 LONGEST_NAME = 7
+_NOBODY = frozenset(
+    ("there", "it", "that", "this", "what", "which", "who", "they", "everything", "it is", "it's")
+)
+_STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,7 +60,7 @@ def clause(words: Words, hearing: Hearing) -> Parse | None:
         for parse in _readings(bare, hearing):
             if best is None or parse.score > best.score:
                 best = parse
-        if best is not None and best.score >= LIKELY:
+        if best is not None and best.score >= SURE - 0.01:
             return best
     return best
 
@@ -87,9 +91,12 @@ def correction(texts: Phrase, hearing: Hearing) -> Parse | None:
     reading = read_motion(texts, hearing.book, hearing.names)
     if reading is None or reading.unexplained > 2:
         return None
-    if reading.unexplained and set(texts) & hearing.book.chat:
+    if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in _STATING):
         return None
     return Parse(reading.acts, _explained(reading.unexplained))
+
+
+_STATING = frozenset("there i my he she they we is are do does did have has his her our".split())
 
 
 def _explained(unexplained: int) -> float:
@@ -115,6 +122,17 @@ def _bared(words: Words, book: Phrasebook) -> Iterator[Words]:
             if start < end and (start, end) not in seen:
                 seen.add((start, end))
                 yield words[start:end]
+                if start and words[start - 1].text == "mind" and words[start].text.endswith("ing"):
+                    yield (_base(words[start], book), *words[start + 1 : end])
+
+
+def _base(word: Word, book: Phrasebook) -> Word:
+    """Return "move" for "moving", as it follows "would you mind"."""
+    stem = word.text.removesuffix("ing")
+    for form in (stem, f"{stem}e", stem[:-1]):
+        if form in book.vocabulary:
+            return replace(word, text=form)
+    return word
 
 
 def _head(words: Words, book: Phrasebook) -> int:
@@ -170,13 +188,13 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
         name, _, limit = label.partition(":")
         part = words[start:end]
         if name == "x":
-            score = min(score, LIKELY)
+            score = min(score, SURE if sentence.act == "cue" else LIKELY)
         elif name in ("n", "nth"):
             slots["number"] = _number(texts_of(words), start, hearing)
         else:
             several = sentence.extra == "list"
             value, trust = _names(part, hearing) if several else _name(part, limit, hearing)
-            if value is None:
+            if value is None or (start == 0 and value in _NOBODY):
                 return None
             slots[name] = value
             score = min(score, trust)
@@ -221,6 +239,8 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
         return None, 0.0
     bare = without_article(texts_of(words))
     part = words[len(words) - len(bare) :]
+    if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
+        return None, 0.0
     names = (*hearing.listening.subtasks,)
     found = known_name(texts_of(part), names, hearing.book.numbers)
     if found is not None:
@@ -229,6 +249,20 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
         return None, 0.0
     if any(text in ("i", "he", "she", "they", "who") for text in texts_of(part)):
         return said(part), DOUBTFUL
+    return _unresolved(part, hearing)
+
+
+def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
+    """Return a name no task knows: without a trailing "step", unless that is all it has."""
+    texts = texts_of(part)
+    numbers = hearing.book.numbers
+    counted = numbers.ordinal(texts, 0) or numbers.number(texts, 0)
+    if set(texts) & _STEPS and (counted or texts[0] in (*_STEPS, "next", "last", "final")):
+        return said(part), LIKELY + 0.03 if texts[-1] in _STEPS or texts[0] in _STEPS else 0.5
+    if counted and counted[1] == len(texts):
+        return said(part), DOUBTFUL
+    if len(part) > 1 and texts[-1] in _STEPS:
+        part = part[:-1]
     return said(part), LIKELY
 
 
@@ -304,7 +338,11 @@ def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Heari
     weak = phrase in (("at",), ("in",), ("for",), ("as",), ("once",), ("following",))
     if not subject or len(subject) > LONGEST_NAME:
         return None
+    if told[0].text in ("it", "the", "a", "an", "that", "and", "to") and not told[0].broken:
+        return None
     texts = texts_of(subject)
+    if texts in ((("you",), ("i",), ("we",), ("the",))):
+        return None
     if any(text in hearing.book.chat for text in texts):
         return None
     known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
@@ -353,7 +391,9 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     nouns = {word for phrase in lists["key_nouns"] for word in phrase} | hearing.names
     verbs = {word for phrase in lists["key_verbs"] for word in phrase}
-    concerned = any(text in nouns for text in texts) and any(text in verbs for text in texts)
+    weak = {"it", "they", "both", "is", "are", "was", "got", "does", "no"}
+    strong = (set(texts) & (nouns | verbs)) - weak
+    concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
     asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
     if not concerned or asking or set(texts) & hearing.book.chat or len(texts) < 3:
         return None

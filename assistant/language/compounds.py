@@ -13,8 +13,17 @@ from assistant.language.clauses import (
 )
 from assistant.language.motion import tags_of
 from assistant.language.words import Word, Words
-from assistant.model.teacher_acts import Stop
+from assistant.model.teacher_acts import (
+    AdjustLast,
+    AdjustSpeed,
+    Again,
+    Gripper,
+    Rotate,
+    Stop,
+    Translate,
+)
 
+_CORRECTIONS = (Translate, Rotate, AdjustSpeed, Gripper, AdjustLast)
 _JOINTS = frozenset(("and", "then", "but", "also", "plus"))
 _GROUPS = {
     "way": frozenset(
@@ -56,6 +65,32 @@ def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:
             second = _joined(rest, hearing, depth - 1)
         if second is not None and second.score >= LIKELY:
             return Parse(first.acts + second.acts, min(first.score, second.score))
+    return None
+
+
+def once_more(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "again, more left": a correction, then the practice once more."""
+    texts = texts_of(words)
+    for phrase in hearing.book.again:
+        size = len(phrase)
+        if texts[:size] == phrase and len(texts) > size:
+            rest = words[size:]
+            while len(rest) > 1 and rest[0].text in (*_JOINTS, "with", "now"):
+                rest = rest[1:]
+        elif texts[-size:] == phrase and len(texts) > size + 1:
+            rest = words[:-size]
+            joined = rest[-1].text in _JOINTS
+            if not (joined or words[-size].broken):
+                continue
+            while rest and rest[-1].text in _JOINTS:
+                rest = rest[:-1]
+        else:
+            continue
+        parse = clause(rest, hearing) if rest else None
+        if parse is None or parse.score < LIKELY:
+            parse = compound(rest, hearing) if rest else None
+        if parse is not None and parse.score >= LIKELY and isinstance(parse.acts[0], _CORRECTIONS):
+            return Parse((*parse.acts, Again()), parse.score)
     return None
 
 

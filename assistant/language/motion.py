@@ -97,11 +97,11 @@ def read_motion(
     kinds = [tag.kind for tag in tags]
     unexplained = kinds.count("other")
     if any(kind in _PACES or kind == "speed" for kind in kinds):
-        act = _speed(tags, words)
+        paced = _speed(tags, words)
         rest = [tag for tag in tags if tag.kind in _WAYS]
-        if act is None:
+        if paced is None:
             return None
-        return Reading((act,), unexplained + len([t for t in rest if t.kind not in _UPDOWN]))
+        return Reading((paced,), unexplained + len([t for t in rest if t.kind not in _UPDOWN]))
     ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
     if not ways:
         return None

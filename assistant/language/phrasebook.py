@@ -51,6 +51,7 @@ class Phrasebook:
     answer_words: Mapping[str, tuple[Phrase, ...]]
     vocabulary: frozenset[str]
     suggestions: Mapping[str, tuple[str, ...]]
+    again: tuple[Phrase, ...]
 
 
 @cache
@@ -95,7 +96,7 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
         numbers=numbers,
         motion=motion,
         where={name: _longest_first(told) for name, told in book["where"].items()},
-        chat=frozenset(word for phrase in _phrases(book["chat"]) for word in phrase[:1]),
+        chat=frozenset(phrase[0] for phrase in _phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in _pairs(book["homophones"])
         },
@@ -106,6 +107,7 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
         | {f"pose_{name}": _longest_first(told) for name, told in book["poses"].items()}
         | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
+        again=_longest_first(book["again"]),
         suggestions={
             key: tuple(" ".join(phrase) for phrase in _phrases(told))
             for key, told in book["suggestions"].items()
@@ -174,10 +176,12 @@ def _lines(text: str) -> list[str]:
 
 def _pairs(text: str) -> list[tuple[str, str]]:
     parts = (line.partition(" = ") for line in _lines(text))
-    return [
-        (key.strip().strip("'") if len(key) == 3 else key.strip(), value.strip())
-        for key, _, value in parts
-    ]
+    return [(_bare(key), value.strip()) for key, _, value in parts]
+
+
+def _bare(key: str) -> str:
+    told = key.strip()
+    return told[1:-1] if len(told) > 2 and told[0] == told[-1] == "'" else told
 
 
 def _phrases(text: str) -> list[Phrase]:

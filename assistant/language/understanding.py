@@ -8,34 +8,60 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.language.answers import OPEN, answer, trimmed
+from assistant.language.answers import OPEN, answer, trimmed, wrapped
 from assistant.language.clauses import GUESS, LIKELY, SURE, Hearing, Parse, clause, texts_of
-from assistant.language.compounds import compound, corrected
+from assistant.language.compounds import compound, corrected, once_more
 from assistant.language.naming import known_name
 from assistant.language.phrasebook import Phrasebook, phrasebook
 from assistant.language.repair import homophones, respelled
 from assistant.language.words import Words, spoken, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
+    AddSubtask,
+    AdjustLast,
     AdjustSpeed,
     Affirm,
     Again,
     Approve,
+    Assign,
     Cue,
     Deny,
     Gripper,
     Inform,
     KeyState,
+    Merge,
+    MoveCut,
     Optional,
+    Ordered,
+    Pause,
+    RemoveSubtask,
+    Rename,
+    Required,
     Rotate,
+    SetPose,
+    Split,
     Start,
     TeacherAct,
     Translate,
     Unknown,
+    Unordered,
 )
 
 _MOTION = (AdjustSpeed, Translate, Rotate, Gripper)
-_NOT_ANSWERS = (*_MOTION, Cue, KeyState, Start, Again, Approve)
+_NOT_ANSWERS = (*_MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
+_STRUCTURE = (
+    Rename,
+    Optional,
+    Required,
+    Unordered,
+    Ordered,
+    AddSubtask,
+    RemoveSubtask,
+    Merge,
+    Split,
+    Assign,
+    MoveCut,
+)
 _QUESTIONS = frozenset("what who where when which whose why how do did are is can".split())
 _REPAIRED = 0.97
 
@@ -68,7 +94,8 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
     best, heard = _meaning(words, hearing), words
     if best.score >= LIKELY and texts_of(spelled) == texts_of(words):
         return heard, best
-    for variant in dict.fromkeys((spelled, homophones(spelled, hearing.book))):
+    sounded = homophones(words, hearing.book)
+    for variant in dict.fromkeys((sounded, spelled, homophones(spelled, hearing.book))):
         if variant == words or best.score >= LIKELY:
             continue
         parse = _meaning(variant, hearing)
@@ -92,6 +119,9 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
 
 def _command(words: Words, hearing: Hearing) -> Parse | None:
     """Return the clause as a whole, corrected by its speaker, or cut into several."""
+    repeated = once_more(words, hearing)
+    if repeated is not None:
+        return repeated
     whole = clause(words, hearing)
     if whole is not None and whole.score >= LIKELY:
         return _one(whole, hearing.listening)
@@ -115,17 +145,29 @@ def _one(parse: Parse, listening: Listening) -> Parse:
 def _answered(words: Words, hearing: Hearing) -> Parse:
     """Return an answer to an open question, unless the words are a command of their own."""
     asked = hearing.listening.asked
-    parse = _command(words, hearing)
-    if parse is not None and parse.score >= LIKELY and not isinstance(parse.acts[0], _NOT_ANSWERS):
-        return parse
-    texts = set(texts_of(words))
     bare = trimmed(words, hearing.book)
-    if texts & hearing.book.chat or (bare and bare[0].text in _QUESTIONS and asked != "goal"):
-        return parse if parse and parse.score >= LIKELY else Parse((Unknown(),), 0.7)
+    for told in dict.fromkeys((words, bare)):
+        parse = _command(told, hearing)
+        if parse is not None and parse.score >= LIKELY and not _answering(parse):
+            return parse
+    texts = set(texts_of(words))
+    chatting = (
+        texts & hearing.book.chat and len(words) > 3 and not wrapped(bare, asked, hearing.book)
+    )
+    if chatting or (bare and bare[0].text in _QUESTIONS):
+        return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
     if found is None:
         return _unknown(words, hearing)
     return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
+
+
+def _answering(parse: Parse) -> bool:
+    """Tell acts whose words may as well be an answer, such as the name of a step."""
+    act = parse.acts[0]
+    if isinstance(act, _STRUCTURE):
+        return parse.score < SURE
+    return isinstance(act, _NOT_ANSWERS)
 
 
 def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:

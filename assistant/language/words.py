@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 _PIECES = re.compile(
     r"[+-]?\d+(?:[.,]\d+)?(?:st|nd|rd|th)\b|(?<![\w.])[+-]?(?:\d+(?:\.\d+)?|\.\d+)(?=[^\d]|$)"
-    r"|\d+|[^\W\d_]+(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|w/o?\b|[,;:.!?()/=]|-"
+    r"|\d+|[^\W\d_]\w*(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|w/o?\b|[,;:.!?()/=]|-"
 )
 _BREAKS = frozenset(",;:.!?()/=-")
 _SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.25", "¾": "0.75"}
@@ -45,7 +45,7 @@ Words = tuple[Word, ...]
 def plain(text: str) -> str:
     """Return the text in lower case with simple apostrophes, dashes and spaces."""
     known = unicodedata.normalize("NFKC", text[:MOST_CHARACTERS].replace("½", " 0.5 "))
-    return " ".join(known.translate(_DASHES).lower().replace("_", " ").split())
+    return " ".join(known.translate(_DASHES).lower().split())
 
 
 def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
@@ -74,7 +74,7 @@ def _separated(text: str) -> str:
         re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
     )
     text = re.sub(r"(?<=\d)\s*(?=[°%\"])", " ", text)
-    return re.sub(r"(?<=\d)(?=(?!st\b|nd\b|rd\b|th\b)[a-z])", " ", text)
+    return re.sub(r"(?<![a-z\d_])(\d+(?:\.\d+)?)(?=(?!st\b|nd\b|rd\b|th\b)[a-z])", r"\1 ", text)
 
 
 def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Word]:
@@ -95,9 +95,11 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     found: list[Word] = []
     for word in words:
         pair = f"{found[-1].text} {word.text}" if found and not word.broken else ""
-        if pair in contractions and len(contractions[pair]) == 1:
-            said = f"{found[-1].said} {word.said}"
-            found[-1] = Word(contractions[pair][0], said, found[-1].broken)
+        if pair in contractions:
+            first, *rest = contractions[pair]
+            together = f"{found[-1].said} {word.said}"
+            found[-1] = Word(first, together, found[-1].broken)
+            found.extend(Word(one, "") for one in rest)
         else:
             found.append(word)
     return tuple(found)

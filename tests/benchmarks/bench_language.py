@@ -1,0 +1,138 @@
+"""How well teachers are understood: acts and slots right, by speaker, against hassil alone.
+
+run: python -m tests.benchmarks.bench_language [--show]
+"""
+
+from __future__ import annotations
+
+import statistics
+import sys
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from assistant.language.phrasebook import phrasebook
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import Asked, Stage, Unknown, act_to_json
+from assistant.plain_yaml import read_file
+
+CORPUS = Path(__file__).parents[1] / "language" / "corpus"
+STAGES: dict[str, Stage] = {
+    "i": "introduction",
+    "d": "demonstration",
+    "l": "learning",
+    "p": "practice",
+}
+SURE = 0.85
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """A sentence of a speaker with what it means."""
+
+    speaker: str
+    text: str
+    listening: Listening
+    acts: list[dict[str, Any]]
+
+
+def rows(file: str) -> Iterator[Row]:
+    """Read the sentences of a corpus file."""
+    speakers = cast("Mapping[str, str]", read_file(CORPUS / file)[0].value)
+    for speaker, lines in speakers.items():
+        for line in lines.splitlines():
+            text, stage, asked, acts = (part.strip() for part in line.rsplit("|", 3))
+            where = Listening(stage=STAGES[stage], asked=cast("Asked", asked or None))
+            yield Row(speaker, text, where, [_act(part) for part in acts.split(" ; ")])
+
+
+def _act(told: str) -> dict[str, Any]:
+    name, _, slots = told.strip().partition(" ")
+    act: dict[str, Any] = {"act": name}
+    for slot in filter(None, slots.split(" & ")):
+        key, _, value = slot.strip().partition("=")
+        if key.startswith("where."):
+            act.setdefault("where", {})[key.removeprefix("where.")] = value
+        else:
+            act[key] = _value(name, key, value)
+    return act
+
+
+def _value(act: str, key: str, value: str) -> Any:
+    listed = key in ("position_mm", "rpy_deg", "by_mm", "subtasks")
+    if listed or (act == "inform" and ", " in value):
+        return [_scalar(part.strip()) for part in value.split(",")]
+    return _scalar(value)
+
+
+def _scalar(text: str) -> Any:
+    try:
+        return float(text) if "." in text or text.lstrip("-").isdigit() else text
+    except ValueError:
+        return text
+
+
+def same(expected: list[dict[str, Any]], got: list[dict[str, Any]]) -> bool:
+    """Tell whether acts and slots are the same, numbers nearly; reasons need not match."""
+    if len(expected) != len(got):
+        return False
+    return all(_alike(a, b) for a, b in zip(expected, got, strict=True))
+
+
+def _alike(a: Any, b: Any) -> bool:
+    if isinstance(a, dict) and isinstance(b, dict):
+        if a.get("act") == b.get("act") == "explain":
+            return True
+        return a.keys() == b.keys() and all(_alike(a[key], b[key]) for key in a)
+    if isinstance(a, list) or isinstance(b, list):
+        a, b = (one if isinstance(one, list) else [one] for one in (a, b))
+        return len(a) == len(b) and all(_alike(x, y) for x, y in zip(a, b, strict=True))
+    if isinstance(a, float) and isinstance(b, int | float):
+        return abs(a - b) <= 1e-6 * max(1.0, abs(a))
+    return str(a) == str(b)
+
+
+def report(name: str, file: str, *, show: bool) -> None:
+    """Print one line for a half of the corpus, and what was misunderstood."""
+    right = sure = wrong_sure = total = 0
+    took: list[float] = []
+    for row in rows(file):
+        began = time.perf_counter()
+        meant = understand(row.text, row.listening)
+        took.append(time.perf_counter() - began)
+        got = [act_to_json(act) for act in meant.acts]
+        good = same(row.acts, got)
+        total += 1
+        right += good
+        sure += meant.confidence >= SURE
+        wrong_sure += meant.confidence >= SURE and not good
+        if show and not good:
+            print(
+                f"  {row.speaker}: {row.text!r} [{row.listening.stage[:5]} {row.listening.asked}]"
+            )
+            print(f"     want {row.acts}\n     got  {got} {meant.confidence}")
+    took.sort()
+    p95 = took[int(0.95 * len(took))] * 1e3
+    median = statistics.median(took) * 1e3
+    print(
+        f"{name:<8} n={total:<4} right {right / total:.3f}  wrong and sure {wrong_sure / total:.4f}"
+        f"  sure {sure / total:.2f}  median {median:.2f} ms  p95 {p95:.1f} ms"
+    )
+
+
+def main() -> None:
+    """Print loading time and both halves."""
+    show = "--show" in sys.argv
+    began = time.perf_counter()
+    phrasebook()
+    print(f"loading {time.perf_counter() - began:.2f} s")
+    for name in [one for one in ("tuning", "unseen") if one in sys.argv] or ("tuning", "unseen"):
+        report(name, f"{name}.yaml", show=show)
+    assert Unknown() is not None
+
+
+if __name__ == "__main__":
+    main()
