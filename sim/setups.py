@@ -36,23 +36,25 @@ BETWEEN = 9
 """Postures looked at from docking to grasp or release."""
 
 
-def random_setups(
+def random_setup(
     task: Task,
     scene: Scene,
     seed: int,
+    number: int,
     sector: Sector = "all",
     *,
     random_start: bool = True,
-) -> Iterator[Setup]:
-    """Yield reachable setups without end; the same seed gives the same ones.
+) -> Setup:
+    """Return a reachable setup; the same seed and number give the same one.
 
     Parameters
     ----------
     task : Task
         Learned: its stations say which poses must be held.
     scene : Scene
-        Bodies stand on its first table, where that reaches.
-    seed : int
+        Bodies stand on its tables, where those reach.
+    seed, number : int
+        Not negative.
     sector : {"front", "all"}
         Azimuths within 70 degrees of straight ahead, or all around.
     random_start : bool
@@ -63,16 +65,26 @@ def random_setups(
     WorkFailed
         If no setup is found among thousands drawn.
     """
-    random = np.random.default_rng(seed)
+    random = np.random.default_rng([seed, number])
+    for _ in range(TRIES):
+        start = _start(random, _half_deg(sector)) if random_start else READY
+        setup = _drawn(task, scene, random, sector, start)
+        if setup is not None and reachable(postures(task, scene, setup), scene):
+            return replace(setup, name=f"random_{number}")
+    raise WorkFailed(f"no reachable setup among {TRIES} drawn for {task.name}")
+
+
+def random_setups(
+    task: Task,
+    scene: Scene,
+    seed: int,
+    sector: Sector = "all",
+    *,
+    random_start: bool = True,
+) -> Iterator[Setup]:
+    """Yield reachable setups 1, 2, .. without end, see `random_setup`."""
     for number in count(1):
-        for _ in range(TRIES):
-            start = _start(random, _half_deg(sector)) if random_start else READY
-            setup = _drawn(task, scene, random, sector, start)
-            if setup is not None and reachable(postures(task, scene, setup), scene):
-                yield replace(setup, name=f"random_{number}")
-                break
-        else:
-            raise WorkFailed(f"no reachable setup among {TRIES} drawn for {task.name}")
+        yield random_setup(task, scene, seed, number, sector, random_start=random_start)
 
 
 def new_setup(task: Task, scene: Scene, setup: Setup, seed: int) -> Setup | None:
