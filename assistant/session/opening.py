@@ -133,7 +133,8 @@ def _tell_resumed(session: Session, fed: Fed) -> None:
     slots = {} if fed.recorded_s is None else {"recorded_s": fed.recorded_s}
     topic = "resumed" if fed.recorded_s is None else "resumed_recording"
     session.tell(RobotAct("report", topic, slots=MappingProxyType(slots)))
-    if not fed.lines and not fed.owed and not motion_pending(session):
+    told_all = not fed.lines and not fed.owed and fed.recorded_s is None
+    if told_all and not motion_pending(session):
         asked = asking.question(session.dialogue)
         for line in session.dialogue.said if asked is None else (asked,):
             session.tell(line)

@@ -25,6 +25,7 @@ ANSWERS: dict[type, type] = {
     wanted.Keep: events.Kept,
     wanted.Load: events.Loaded,
     wanted.EndRecording: events.Shown,
+    wanted.Arrange: events.Arranged,
 }
 """Which event answers which effect."""
 
@@ -113,6 +114,7 @@ def _settle(session: Session, fed: Fed, event: events.Event) -> None:
     answered = next((one for one in fed.owed if isinstance(event, ANSWERS[type(one)])), None)
     if answered is not None:
         fed.owed.remove(answered)
+        session.drawn += isinstance(answered, wanted.Arrange)
     match event:
         case events.Begun() | events.Arranged() | events.Checked(refusal=None):
             session.mover.setup = event.setup
@@ -132,7 +134,6 @@ def _owe(session: Session, fed: Fed, effect: wanted.Effect) -> None:
     elif isinstance(effect, wanted.EndRecording) and not effect.keep:
         session.watching = None
     elif isinstance(effect, wanted.Arrange):
-        session.drawn += effect.random
         session.mover.scene = effect.scene or session.mover.scene
         session.mover.setup = effect.setup or session.mover.setup
         if effect.random:
