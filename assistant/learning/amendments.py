@@ -7,6 +7,7 @@ the other stations is not touched.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -109,7 +110,7 @@ def bends(task: Task, lesson: Lesson, path: LearnedPath, held: Sequence[Span]) -
         if not moving or station_of(feedback, task, lesson) is not None:
             continue
         middle = _middle(feedback, names, path)
-        ways = [(a, b) for (_, a), (b, _) in zip(held[:-1], held[1:], strict=True) if b > a + 4]
+        ways = [(a, b) for (_, a), (b, _) in itertools.pairwise(held) if b > a + 4]
         if ways:
             found.append(_bend(feedback, middle, ways, lesson.stations))
     return tuple(found)

@@ -14,6 +14,7 @@ import numpy as np
 
 from assistant.geometry import Array, relative
 from assistant.model.lesson import Station
+from assistant.model.motion import Indices
 from assistant.model.task import Condition, Primitive
 
 Conditions = Mapping[str, tuple[Condition, ...]]
@@ -41,7 +42,7 @@ class Inferred:
 def inferred(
     leaves: Sequence[Primitive],
     path: Array,
-    primitive_at: Array,
+    primitive_at: Indices,
     stations: Sequence[Station],
 ) -> Inferred:
     """Return the conditions that held before and after each primitive shown.
@@ -63,13 +64,15 @@ def inferred(
         docked = _docked(stations, samples, acted)
         held = _held(stations, int(samples[0]), acted)
         before[name] = _state(held)
+        cleared = _cleared(stations, samples, acted)
         until[name] = (
             *(_after(one) for one in acted),
             *(_aligned(one) for one in acted if _is_aligned(one)),
             *docked,
+            *cleared,
             *(() if acted or docked else _above(stations, path, samples, held)),
         )
-        if acted or docked:
+        if acted or docked or cleared:
             changing.add(name)
     return Inferred(before, until, frozenset(changing))
 
@@ -103,7 +106,7 @@ def _aligned(station: Station) -> Condition:
 
 
 def _docked(
-    stations: Sequence[Station], samples: Array, acted: Sequence[Station]
+    stations: Sequence[Station], samples: Indices, acted: Sequence[Station]
 ) -> tuple[Condition, ...]:
     """Return that the hand docks, if the primitive ends between docking and acting."""
     end = int(samples[-1])
@@ -114,8 +117,21 @@ def _docked(
     )
 
 
+def _cleared(
+    stations: Sequence[Station], samples: Indices, acted: Sequence[Station]
+) -> tuple[Condition, ...]:
+    """Return that the hand has let go and gone away, if that is what the primitive does."""
+    if acted:
+        return ()
+    return tuple(
+        Condition("clear", one.object)
+        for one in stations
+        if one.kind == "release" and samples[0] <= one.left_at <= samples[-1]
+    )
+
+
 def _above(
-    stations: Sequence[Station], path: Array, samples: Array, held: str
+    stations: Sequence[Station], path: Array, samples: Indices, held: str
 ) -> tuple[Condition, ...]:
     later = [one for one in stations if one.at > samples[-1] and one.kind == "release"]
     if not held or not later:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -59,7 +60,7 @@ def sampled(
     halts.append(_end_halt(smoothed, end_s, given))
     length = new_instant(halts, begin_s, end_s, len(halts) - 1)
     step_s = max(given.step_s, length / given.most_samples)
-    t_s = np.arange(int(np.ceil(length / step_s - 1e-9)) + 1) * step_s
+    t_s = step_s * np.arange(int(np.ceil(length / step_s - 1e-9)) + 1, dtype=np.float64)
     shown_s = demonstrated_times(halts, begin_s, end_s, t_s)
     path = _at(smoothed, shown_s)
     instants = [new_instant(halts, begin_s, end_s, k + 1) for k in range(len(acts_s))]
@@ -141,7 +142,7 @@ def _gripper(
         return None
     edges_s = [-np.inf, *acts_s, np.inf]
     levels = []
-    for from_s, to_s in zip(edges_s[:-1], edges_s[1:], strict=True):
+    for from_s, to_s in itertools.pairwise(edges_s):
         inside = smoothed.gripper_m[(smoothed.t_s > from_s) & (smoothed.t_s < to_s)]
         levels.append(float(np.median(inside)) if len(inside) else float(smoothed.gripper_m[-1]))
     knots: list[float] = []

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assistant.errors import BadInput
-from assistant.geometry import Array, compose, relative
+from assistant.geometry import Array, compose, inverse, relative, rotate_vector
 from assistant.learning.conditions import Inferred, inferred
 from assistant.learning.docking import docking_sample, grasp_ways, release_ways, straightened
 from assistant.learning.generalization import Sampled, primitive_at, sampled
@@ -90,6 +90,11 @@ def learn(
     if task.learned is None:
         return lesson
     return replace(lesson, feedback=task.learned.feedback, speed=task.learned.speed)
+
+
+def load_libraries() -> None:
+    """Import what learning uses later, so that its time can be told without imports."""
+    import scipy.interpolate  # noqa: F401
 
 
 def _learn_one(
@@ -187,8 +192,6 @@ def _ways(context: Context, visit: Visit, hand: Array, frame: Array) -> Array:
     normal = np.array([0.0, 0.0, 1.0])
     body = context.scene.bodies.get(visit.frame) if context.scene else None
     if body is not None:
-        from assistant.geometry import inverse, rotate_vector
-
         to_world = compose(frame, inverse(body.hand_in_body))
         normal = rotate_vector(to_world[3:], np.array(body.normal) / np.linalg.norm(body.normal))
     return release_ways(normal, hand)

@@ -28,7 +28,9 @@ def optional_questions(task: Task, found: Inferred, told: Sequence[str]) -> tupl
         Question("optional", leaf.name, "no_key_state_change")
         for leaf in primitives(task.tree)
         if leaf.name in told and leaf.name not in found.changing and not leaf.optional
-        if not leaf.until and leaf.action.verb in ("move", "turn")
+        # Approaching and leaving are never idle: they bring the hand to things and away.
+        if not leaf.until and leaf.action.way not in ("approach", "to", "depart")
+        if leaf.action.verb in ("move", "turn")
     )
 
 

@@ -9,6 +9,7 @@ and target and never cuts across the base.
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -91,8 +92,7 @@ def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
     if polar:
         around[:, 0], around[:, 1] = radius, np.unwrap(np.arctan2(path[:, 1], path[:, 0]))
     between = tuple(
-        _between(path, around, first, last)
-        for (_, first), (last, _) in zip(held[:-1], held[1:], strict=True)
+        _between(path, around, first, last) for (_, first), (last, _) in itertools.pairwise(held)
     )
     middles = np.array([path[last, :3] for _, last in held])
     return Ways(path, held, middles, polar, between)

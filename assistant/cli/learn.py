@@ -1,0 +1,119 @@
+"""Learn a task from demonstrations, without dialogue: cut, assign, generalize.
+
+Several demonstrations are learned each on its own, or together as one lesson. Ends with 1 if
+nothing could be learned.
+
+example:
+  assistant learn tasks/demonstrations/pick_and_place.yaml --task tasks/pick_and_place.yaml \\
+    -o learned.yaml
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from assistant.cli import DONE, FAILED
+from assistant.errors import BadInput, NothingLearned
+
+if TYPE_CHECKING:
+    from assistant.model.demonstration import Demonstration
+    from assistant.model.lesson import Lesson
+    from assistant.model.scene import Scene
+    from assistant.model.task import Task
+
+
+def arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare what the verb takes."""
+    parser.add_argument("demonstrations", nargs="+", type=Path, metavar="DEMONSTRATION")
+    parser.add_argument(
+        "--task", type=Path, required=True, metavar="TREE", help="the task as introduced"
+    )
+    parser.add_argument("--together", action="store_true", help="all as one lesson")
+    parser.add_argument("-o", "--out", type=Path, metavar="LEARNED", help="write the learned task")
+    parser.add_argument("--figures", type=Path, metavar="DIR", help="draw votes, paths, weights")
+    parser.add_argument("--json", action="store_true", help="one JSON line a lesson")
+
+
+def run(args: argparse.Namespace) -> int:
+    """Learn, tell, and write what was asked for."""
+    from assistant.files.demonstrations import read_demonstration
+    from assistant.files.tasks import read_task
+    from assistant.learning.lesson import load_libraries
+
+    task = read_task(args.task)
+    shown = _read_all(args.demonstrations, read_demonstration)
+    scenes = [_scene(one, path) for one, path in zip(shown, args.demonstrations, strict=True)]
+    if args.together or len(shown) == 1:
+        groups = [(shown, scenes[-1])]
+    else:
+        groups = [([one], scene) for one, scene in zip(shown, scenes, strict=True)]
+    if len(groups) > 1 and (args.out or args.figures):
+        raise BadInput.one("assistant learn", "several lessons, one place to write", "--together")
+    load_libraries()
+    learned = [_one(group, task, scene, args.json) for group, scene in groups]
+    if learned[0] is not None and len(groups) == 1:
+        _write(replace(task, learned=learned[0]), groups[0][0], args.out, args.figures)
+    return DONE if all(lesson is not None for lesson in learned) else FAILED
+
+
+def _read_all(paths: Sequence[Path], read: Any) -> list[Demonstration]:
+    shown, problems = [], []
+    for path in paths:
+        try:
+            shown.append(read(path))
+        except BadInput as error:
+            problems.extend(error.problems)
+    if problems:
+        raise BadInput(problems)
+    return shown
+
+
+def _scene(demonstration: Demonstration, path: Path) -> Scene:
+    from assistant.files.scenes import find_scene
+
+    return find_scene(demonstration.setup.scene, path)
+
+
+def _one(shown: Sequence[Demonstration], task: Task, scene: Scene, as_json: bool) -> Lesson | None:
+    from assistant.cli.learned import learn_values, tell_lesson
+    from assistant.learning.lesson import learn
+    from assistant.shells.pacing import RealClock
+
+    sources = [Path(one.source).name for one in shown]
+    clock = RealClock()
+    try:
+        lesson = learn(shown, task, scene=scene)
+    except NothingLearned as error:
+        print(f"{', '.join(sources)}: nothing learned: {error}", file=sys.stderr)
+        if as_json:
+            print(json.dumps({"demonstrations": sources, "nothing_learned": str(error)}))
+        return None
+    wall_s = clock.now_s()
+    done = replace(task, learned=lesson)
+    if as_json:
+        told = {"demonstrations": sources, **learn_values(done), "wall_s": round(wall_s, 6)}
+        print(json.dumps(told))
+    else:
+        tell_lesson(done, wall_s)
+    return lesson
+
+
+def _write(
+    task: Task, shown: Sequence[Demonstration], out: Path | None, figures: Path | None
+) -> None:
+    if out is not None:
+        from assistant.files.tasks import write_task
+
+        write_task(task, out)
+        print(f"wrote {out}", file=sys.stderr)
+    if figures is not None:
+        from assistant.shells.figures import write_figures
+
+        for path in write_figures(task, figures, shown[-1]):
+            print(f"wrote {path}", file=sys.stderr)
