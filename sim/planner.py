@@ -117,7 +117,9 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
     q = np.array(work.found.q[:, branch])
     q[0] = _start_joints(work, branch)
     q[-1] = _end_joints(work, branch)
-    refusal = _touched(work, q, work.fine.constrained)
+    ends = work.fine.constrained
+    ends[[0, -1]] = True
+    refusal = _touched(work, q, ends)
     if refusal is not None:
         return refusal
     notes: list[str] = []
@@ -132,8 +134,7 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
     if np.abs(np.diff(q, axis=0)).max(initial=0.0) > JUMP_RAD:
         # The arm stands on another branch, and nothing lies between it and an exact stretch.
         return Refusal("joint_limit", place_name(work.fine, 0), "joint 4", hint="turn")
-    refusal = _touched(work, q, np.ones(len(q), dtype=bool))
-    return refusal or _finished(work, q, "; ".join(notes))
+    return _finished(work, q, "; ".join(notes))
 
 
 def _start_joints(work: _Work, branch: int) -> Array:

@@ -67,8 +67,8 @@ def route(stretch: Stretch, kept: Array) -> tuple[Array, str] | None:
     best: tuple[float, Array, str] | None = None
     for inner, head, tail in chain([(stretch, kept[:0], kept[:0])], _narrowed(stretch)):
         base = kept if inner is stretch else answers(inner.poses).q[:, stretch.branch]
-        for how, q in _ways(inner, base):
-            if not _good(inner, q):
+        for how, q, checked in _ways(inner, base):
+            if not (checked or _good(inner, q)):
                 continue
             whole = np.concatenate([head, q, tail])
             lasts = _lasts(stretch, whole)
@@ -158,17 +158,18 @@ def _with_singular(bad: Flags, singular: Flags) -> Flags:
     return bad
 
 
-def _ways(stretch: Stretch, kept: Array) -> Iterator[tuple[str, Array]]:
+def _ways(stretch: Stretch, kept: Array) -> Iterator[tuple[str, Array, bool]]:
+    """Yield how, joints, and whether these were found good already."""
     for lift in LIFTS_M:
         how = "" if lift == 0.0 else "lifted"
         base = kept if lift == 0.0 else _lifted(stretch, lift)
         base = _with_ends(stretch, base)
         bad = bad_samples(stretch, base)
         if not bad.any():
-            yield how, base
+            yield how, base, True
             continue
         for pad in PADS:
-            yield how or "led around", _bridged(stretch, base, bad, pad)
+            yield how or "led around", _bridged(stretch, base, bad, pad), False
 
 
 def _with_ends(stretch: Stretch, q: Array) -> Array:
