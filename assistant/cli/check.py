@@ -4,7 +4,7 @@ Every problem is one line, file:line: what is wrong; what would be right. What c
 looks odd is told as a warning and is no problem.
 
 example:
-  assistant check tasks/*.yaml tasks/setups/*.yaml
+  assistant check tasks/pick_and_place.yaml tasks/setups
 """
 
 from __future__ import annotations
@@ -21,19 +21,26 @@ from assistant.errors import BadInput, Problem
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the verb takes."""
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="or a folder")
     parser.add_argument("--json", action="store_true", help="one JSON line at the end")
 
 
 def run(args: argparse.Namespace) -> int:
     """Check each file; the status is 2 if any has a problem."""
-    results = [_checked(path) for path in args.files]
+    results = [_checked(path) for told in args.files for path in _files(told)]
     if args.json:
         print(json.dumps({"files": results}))
     else:
         for result in results:
             _tell(result)
     return BAD_INPUT if any(result["problems"] for result in results) else DONE
+
+
+def _files(path: Path) -> list[Path]:
+    """Return a file, or every file of ours in a folder and below."""
+    if not path.is_dir():
+        return [path]
+    return sorted(each for each in path.rglob("*") if each.suffix in (".yaml", ".csv"))
 
 
 def _checked(path: Path) -> dict[str, Any]:

@@ -6,6 +6,8 @@ from assistant.errors import BadInput, Problem
 
 COLUMNS = ("t_s", "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw", "gripper_m")
 NEEDED = COLUMNS[:-1]
+LONGEST, MOST = 40, 40
+"""Of names and columns that are looked at; a file with more is something else."""
 _SCALES = {"mm": "divide by 1000", "cm": "divide by 100", "um": "divide by 1e6"}
 _TIMES = {"ms": "divide by 1000", "us": "divide by 1e6", "ns": "divide by 1e9"}
 _OTHER_NAMES = {
@@ -25,7 +27,7 @@ def columns_of(header: list[str], where: str) -> list[int]:
     BadInput
         With every column that is missing, twice there, or of another name or unit.
     """
-    names = [name.strip().strip('"').strip() for name in header]
+    names = [name.strip().strip('"').strip()[:LONGEST] for name in header[:MOST]]
     if any(_is_number(name) for name in names) or (len(names) == 1 and names[0] not in COLUMNS):
         raise BadInput.one(where, _no_header(names), f"the first line is {','.join(COLUMNS)}")
     problems = [

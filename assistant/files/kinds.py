@@ -18,6 +18,7 @@ from assistant.files.oddities import (
     odd_task,
 )
 from assistant.files.recordings import read_recording
+from assistant.files.references import unknown_in_setups, unknown_in_transcript
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -86,7 +87,8 @@ def read_known(path: Path) -> Known:
     told = check_format(documents[0], *FORMATS)
     if told == setups.FORMAT:
         several = setups.setups_of(documents)
-        return Known("setup", several, odd_setup(several, str(path)))
+        odd = (*odd_setup(several, str(path)), *unknown_in_setups(several, path))
+        return Known("setup", several, odd)
     document = the_document(documents, str(path))
     match told:
         case tasks.FORMAT:
@@ -101,7 +103,8 @@ def read_known(path: Path) -> Known:
             odd = odd_demonstration(shown, str(path))
             return Known("demonstration", shown, odd, str(named))
         case transcripts.FORMAT:
-            return Known("transcript", transcripts.transcript_of(document))
+            play = transcripts.transcript_of(document)
+            return Known("transcript", play, unknown_in_transcript(play, path))
     raise BadInput.one(str(path), f"format {told!r} is not known")
 
 

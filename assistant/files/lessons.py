@@ -26,13 +26,22 @@ from assistant.plain_yaml import Document, tidy
 Place = list[str | int]
 
 
-def lesson_of(form: LearnedForm, document: Document) -> Lesson:
-    """Return the lesson a form tells; what does not fit together is a `BadInput`."""
+def lesson_of(form: LearnedForm, document: Document, leaves: int) -> Lesson:
+    """Return the lesson a form tells; what does not fit together is a `BadInput`.
+
+    Parameters
+    ----------
+    form : LearnedForm
+    document : Document
+        For messages.
+    leaves : int
+        Primitives of the tree.
+    """
     place: Place = ["learned"]
     conditions = form.conditions.items()
     lesson = Lesson(
         segmentation=_segmentation(form, document, place),
-        path=None if form.path is None else _path(form.path, document, [*place, "path"]),
+        path=_path(form.path, document, [*place, "path"], leaves) if form.path else None,
         stations=tuple(_station(each) for each in form.docking),
         before={name: conditions_of(each.before) for name, each in conditions if each.before},
         until={name: conditions_of(each.until) for name, each in conditions if each.until},
@@ -81,7 +90,7 @@ def _frozen(value: Any) -> Any:
     return tuple(_frozen(part) for part in value) if isinstance(value, list) else value
 
 
-def _path(form: PathForm, document: Document, place: Place) -> LearnedPath:
+def _path(form: PathForm, document: Document, place: Place, leaves: int) -> LearnedPath:
     with_gripper = (*PATH_COLUMNS, "gripper_m", "primitive")
     if form.columns not in (with_gripper, (*PATH_COLUMNS, "primitive")):
         raise BadInput.one(
@@ -90,7 +99,7 @@ def _path(form: PathForm, document: Document, place: Place) -> LearnedPath:
             f"[{', '.join(with_gripper)}]",
         )
     table = _table(form.rows, len(form.columns), document, place)
-    _check_path(table, document, place)
+    _check_path(table, document, [*place, "rows"], leaves)
     gripper = table[:, 8] if form.columns == with_gripper else None
     return LearnedPath(table[:, 0], table[:, 1:8], gripper, table[:, -1].astype(np.int64))
 
@@ -108,16 +117,18 @@ def _table(rows: list[list[float]], columns: int, document: Document, place: Pla
     return np.array(rows, dtype=float).reshape(len(rows), columns)
 
 
-def _check_path(table: Array, document: Document, place: Place) -> None:
-    late = np.flatnonzero(np.diff(table[:, 0]) <= 0) + 1
+def _check_path(table: Array, document: Document, place: Place, leaves: int) -> None:
     length = np.linalg.norm(table[:, 4:8], axis=1)
-    bad = np.flatnonzero(np.abs(length - 1.0) > 1e-3)
-    where = [*place, "rows"]
+    leaf = table[:, -1]
+    wrong = {
+        "time does not increase": np.diff(table[:, 0], prepend=-np.inf) <= 0,
+        "the quaternion's length is not 1": np.abs(length - 1.0) > 1e-3,
+        f"there is no such primitive: the tree has {leaves}": ~np.isin(leaf, range(-1, leaves)),
+    }
     problems = [
-        Problem(document.where([*where, int(at)]), "time does not increase") for at in late[:5]
-    ] + [
-        Problem(document.where([*where, int(at)]), "the quaternion's length is not 1")
-        for at in bad[:5]
+        Problem(document.where([*place, int(at)]), what)
+        for what, rows in wrong.items()
+        for at in np.flatnonzero(rows)[:5]
     ]
     if problems:
         raise BadInput(problems)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -134,10 +134,27 @@ def odd_scene(scene: Scene, file: str) -> tuple[Problem, ...]:
 
 
 def odd_task(task: Task, file: str) -> tuple[Problem, ...]:
-    """Return subtasks without parts."""
+    """Return subtasks without parts, and what was learned for steps that are not in the tree."""
     found = [
         Problem(file, f"the subtask {node.name!r} has no parts")
         for _, node in walk(task.tree)
         if isinstance(node, Subtask) and not node.parts
     ]
+    known = {node.name for _, node in walk(task.tree)}
+    told = dict.fromkeys(_learned_names(task))
+    right = "was it renamed by hand? rename it in the lesson too, or show the task again"
+    found += [
+        Problem(file, f"something was learned for {name!r}, which is not in the tree", right)
+        for name in told
+        if name not in known
+    ]
     return tuple(found)
+
+
+def _learned_names(task: Task) -> Iterator[str]:
+    if task.learned is None:
+        return
+    yield from (each.primitive for each in task.learned.segmentation.episodes if each.primitive)
+    yield from (each.primitive for each in task.learned.stations if each.primitive)
+    yield from (each.primitive for each in task.learned.feedback if each.primitive)
+    yield from (*task.learned.before, *task.learned.until)

@@ -24,6 +24,7 @@ from assistant.plain_yaml import text_of
 
 MOST_BYTES = 256_000_000
 MOST_PROBLEMS = 20
+MOST_COUNTED = 1000
 FEWEST_SAMPLES = 3
 FARTHEST_M = 20.0
 WIDEST_M = 1.0
@@ -119,6 +120,8 @@ def _bad_lines(text: str, file: str, after: int, columns: int) -> list[Problem]:
         if what:
             right = f"{columns} numbers separated by commas, as in the header"
             problems.append(Problem(f"{file}:{number}", what, right))
+        if len(problems) >= MOST_COUNTED:
+            break
     none = Problem(f"{file}:{after}", "there are no samples below the header")
     return _few(problems) or [none]
 

@@ -19,7 +19,7 @@ from assistant.files.tree_forms import (
     tree_problems,
 )
 from assistant.files.writing import write_text
-from assistant.model.task import Task
+from assistant.model.task import Task, primitives
 from assistant.plain_yaml import Document, read_file, write
 
 FORMAT = "task/1"
@@ -57,7 +57,8 @@ def task_of(document: Document) -> Task:
     problems = tree_problems(task, document)
     if problems:
         raise BadInput(problems)
-    learned = None if form.learned is None else lesson_of(form.learned, document)
+    leaves = len(primitives(tree))
+    learned = None if form.learned is None else lesson_of(form.learned, document, leaves)
     return Task(task.name, task.tree, task.goal, task.objects, learned)
 
 

@@ -34,15 +34,22 @@ def text_of(path: Path, most_bytes: int = MOST_BYTES) -> str:
         if path.is_dir():
             raise BadInput.one(str(path), "this is a folder", "name a file in it")
         if size > most_bytes:
-            told = f"{size / 1e6:.0f} MB, more than the {most_bytes / 1e6:.0f} MB a file may have"
-            raise BadInput.one(str(path), told, "give a smaller file")
-        data = path.read_bytes()
+            raise _too_big(path, f"{size / 1e6:.0f} MB, more than", most_bytes)
+        with path.open("rb") as file:  # a pipe tells its size only by being read
+            data = file.read(most_bytes + 1)
     except FileNotFoundError as error:
         raise BadInput.one(str(path), "no such file", "check the name and the folder") from error
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
         raise BadInput.one(str(path), f"cannot be read ({why})") from error
+    if len(data) > most_bytes:
+        raise _too_big(path, "more than", most_bytes)
     return _decoded(data, str(path))
+
+
+def _too_big(path: Path, told: str, most_bytes: int) -> BadInput:
+    what = f"{told} the {most_bytes / 1e6:.0f} MB a file may have"
+    return BadInput.one(str(path), what, "give a smaller file")
 
 
 def _decoded(data: bytes, file: str) -> str:
@@ -110,6 +117,10 @@ def _hint(error: yaml.MarkedYAMLError) -> str:
     return "check indentation, colons and brackets there"
 
 
+def _short(text: str) -> str:
+    return repr(text if len(text) <= 60 else f"{text[:57]}...")
+
+
 def _line(event: yaml.Event) -> int:
     return event.start_mark.line + 1 if event.start_mark else 0
 
@@ -156,14 +167,20 @@ class _Builder:
 
     def _scalar(self, event: yaml.ScalarEvent) -> None:
         line = _line(event)
-        self._no_tag(event.tag, line)
-        is_key = self._wants_key()
-        quoted = bool(event.style) or is_key
-        value = event.value if quoted else meaning(event.value)
-        if is_key:
+        if event.tag is not None:
+            self._no_tag(event.tag, line)
+        top = self.stack[-1] if self.stack else None
+        if top is not None and top.key is None and isinstance(top.value, dict):
             self._key(event.value, line)
-        else:
+            return
+        value = event.value if event.style else meaning(event.value)
+        if top is None or event.anchor or isinstance(top.value, dict):
             self._put(value, line, 1, event.anchor)
+        else:
+            # Nearly all of a long file are numbers in rows: the shortest way for them.
+            top.value.append(value)
+            top.lines.append(line)  # type: ignore[union-attr]
+            top.size += 1
 
     def _wants_key(self) -> bool:
         return (
@@ -179,7 +196,9 @@ class _Builder:
             if key in top.lines:
                 first = line_of(top.lines[key])
                 self._tell(
-                    line, f"key {key!r} stands here again (first on line {first})", "each key once"
+                    line,
+                    f"key {_short(key)} stands here again (first on line {first})",
+                    "each key once",
                 )
             top.lines[key] = line
 
@@ -205,8 +224,8 @@ class _Builder:
         if anchor not in self.anchors:
             self._fail(
                 line,
-                f"*{anchor} names nothing that is complete above",
-                f"mark a value above with &{anchor}",
+                f"*{anchor[:40]} names nothing that is complete above",
+                f"mark a value above with &{anchor[:40]}",
             )
         value, lines, size = self.anchors[anchor]
         self._put(value, lines, size, None)
@@ -235,7 +254,7 @@ class _Builder:
 
     def _no_tag(self, tag: str | None, line: int) -> None:
         if tag is not None:
-            self._tell(line, f"tag {tag!r} is not allowed", "write plain values without '!'")
+            self._tell(line, f"tag {_short(tag)} is not allowed", "write plain values without '!'")
 
     def _tell(self, line: int, what: str, right: str) -> None:
         self.problems.append(Problem(f"{self.file}:{line}", what, right))

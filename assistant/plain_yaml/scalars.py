@@ -14,7 +14,8 @@ from numbers import Integral, Real
 Plain = str | int | float | bool | None
 
 NUMBER = re.compile(r"[-+]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
-_INTEGER = re.compile(r"[-+]?[0-9]{1,18}")
+LONGEST_WHOLE = 19
+"""Signs of a whole number; longer ones are read as floating point."""
 _WORDS: dict[str, Plain] = {
     **dict.fromkeys(("", "~", "null", "Null", "NULL"), None),
     **dict.fromkeys(("true", "True", "TRUE"), True),
@@ -36,7 +37,8 @@ _LONE_SURROGATE = re.compile("[\ud800-\udfff]")
 def meaning(word: str) -> Plain:
     """Return the value of a word written without quotes."""
     if word[:1] in _NUMBER_STARTS and NUMBER.fullmatch(word):
-        return int(word) if _INTEGER.fullmatch(word) else float(word)
+        whole = len(word) <= LONGEST_WHOLE and word.lstrip("+-").isdigit()
+        return int(word) if whole else float(word)
     return _WORDS.get(word, word)
 
 

@@ -9,8 +9,10 @@ import pytest
 from assistant.errors import BadInput
 from assistant.files.kinds import read_any, read_known
 from assistant.files.shipped import shipped
+from assistant.files.tasks import write_task
 from assistant.model.setup import Setup
 from assistant.model.task import Task
+from tests.files.examples import lesson, task
 
 
 @pytest.mark.parametrize(
@@ -66,3 +68,32 @@ def test_small_bodies_and_empty_subtasks_are_odd(tmp_path: Path) -> None:
     known = read_known(path)
     assert isinstance(known.value, Task)
     assert "the subtask 't' has no parts" in str(known.warnings[0])
+
+
+def test_what_a_file_names_and_is_not_there_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "x.yaml"
+    path.write_text(
+        "format: setup/1\nname: a\nplaces: {cup: {xyz_mm: [500, 0, 240]}}\n"
+        "---\nformat: setup/1\nname: b\nscene: moon\n"
+    )
+    told = "\n".join(map(str, read_known(path).warnings))
+    assert "a: 'cup' is no body of the scene table; bodies: block, target" in told
+    assert "there is no scene 'moon'" in told
+    path.write_text(
+        "format: transcript/1\ntitle: t\nsetup: table1_1\ntask: none.yaml\nsteps:\n"
+        "  - demonstrate: {recording: none.csv}\n  - setup: moon\n  - setup: none.yaml\n"
+    )
+    told = "\n".join(str(each).replace(str(tmp_path), "") for each in read_known(path).warnings)
+    assert "/x.yaml: there is no file /none.yaml" in told
+    assert "/x.yaml:6: there is no file /none.csv" in told
+    assert "/x.yaml:7: there is no setup 'moon'; known: demonstration" in told
+    assert "/x.yaml:8: there is no setup file /none.yaml" in told
+
+
+def test_lessons_of_steps_that_are_not_in_the_tree_are_told(tmp_path: Path) -> None:
+    write_task(task(lesson()), tmp_path / "x.yaml")
+    assert read_known(tmp_path / "x.yaml").warnings == ()
+    text = (tmp_path / "x.yaml").read_text()
+    (tmp_path / "x.yaml").write_text(text.replace("primitive: part 2", "primitive: lift", 1))
+    (told,) = read_known(tmp_path / "x.yaml").warnings
+    assert "something was learned for 'part 2', which is not in the tree" in str(told)

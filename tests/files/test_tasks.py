@@ -148,6 +148,9 @@ def test_rows_that_are_short_or_run_backward_are_told(tmp_path: Path) -> None:
     swapped = [*lines[:first], lines[first + 1], lines[first], *lines[first + 2 :]]
     with pytest.raises(BadInput, match=rf":{first + 2}: time does not increase"):
         read_task(written(tmp_path, "\n".join(swapped)))
+    other = lines[first].rsplit(",", 1)[0] + ", 4]"
+    with pytest.raises(BadInput, match=r"no such primitive: the tree has 4"):
+        read_task(written(tmp_path, "\n".join([*lines[:first], other, *lines[first + 1 :]])))
     lines[first] = lines[first].rsplit(",", 1)[0] + "]"
     with pytest.raises(BadInput, match=rf":{first + 1}: 9 numbers; 10 as in columns"):
         read_task(written(tmp_path, "\n".join(lines)))

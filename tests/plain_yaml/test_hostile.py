@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.errors import BadInput
-from assistant.plain_yaml import read_file, read_text
+from assistant.plain_yaml import read_file, read_text, text_of
 
 BOMB = "a: &a [x, x, x, x, x, x, x, x, x, x]\n" + "".join(
     f"{name}: &{name} [{', '.join([f'*{before}'] * 10)}]\n"
@@ -111,3 +111,15 @@ def test_a_byte_order_mark_is_no_part_of_the_text(tmp_path: Path) -> None:
     path = tmp_path / "bom.yaml"
     path.write_bytes(b"\xef\xbb\xbfa: 1\n")
     assert read_file(path)[0].value == {"a": 1}
+
+
+def test_a_pipe_without_end_is_cut_short() -> None:
+    with pytest.raises(BadInput, match="more than the 0 MB a file may have"):
+        text_of(Path("/dev/zero"), 1000)
+
+
+def test_messages_stay_short_whatever_the_file_holds() -> None:
+    long = "k" * 1000
+    with pytest.raises(BadInput) as caught:
+        read_text(f"{{{long}: 1, {long}: 2}}\nx: !{long} 3")
+    assert len(str(caught.value)) < 600
