@@ -22,6 +22,7 @@ from assistant.errors import BadInput, WorkFailed
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from assistant.model.demonstration import Demonstration
     from assistant.model.task import Task
     from assistant.session.practice import SetupResult
 
@@ -40,6 +41,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Teach, show what was learned, practice."""
+    from assistant.cli.learned import learn_values
     from assistant.files.tasks import write_task
     from assistant.session.practice import tally
     from assistant.shells.figures import write_figures
@@ -51,10 +53,10 @@ def run(args: argparse.Namespace) -> int:
     # With --json, what people read goes to stderr: the answer alone is for programs.
     console.stderr = args.json
     clock = RealClock()
-    task = _taught(console)
+    task, shown = _taught(console)
     console.print(view(task))
     write_task(task, args.out / LEARNED)
-    figures = write_figures(task, args.out)
+    figures = write_figures(task, args.out, shown)
     results = _practiced(task, console)
     for path in (args.out / LEARNED, *figures):
         console.print(f"wrote {path}")
@@ -72,8 +74,8 @@ def _make(folder: Path) -> None:
         raise BadInput.one(str(folder), what, "name a folder you may write in") from error
 
 
-def _taught(console: Console) -> Task:
-    """Hold the shipped lesson and return what was learned in it."""
+def _taught(console: Console) -> tuple[Task, Demonstration]:
+    """Hold the shipped lesson and return what was learned and what was shown in it."""
     from assistant.cli.adapters import make_equipment
     from assistant.files.shipped import shipped
     from assistant.files.transcripts import read_transcript
@@ -89,7 +91,8 @@ def _taught(console: Console) -> Task:
         raise WorkFailed(
             f"the lesson went otherwise than written: {where}: {played.difference.why}"
         )
-    return player.session.dialogue.known.task
+    known = player.session.dialogue.known
+    return known.task, known.demonstrations[-1]
 
 
 def _practiced(task: Task, console: Console) -> list[SetupResult]:

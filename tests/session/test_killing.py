@@ -9,6 +9,8 @@ from typing import Any
 
 import pytest
 
+from assistant.files import transcripts
+from assistant.files.demonstrations import read_demonstration
 from assistant.files.transcripts import read_transcript
 from assistant.model.transcript import Happened, Restart, Step, TeacherLine
 from assistant.session import journal as journal_module
@@ -43,7 +45,7 @@ def die() -> None:
 
 def kill_at_step(number: int, torn: float) -> None:
     """Die while the given step is written; that share of its text reaches the disk."""
-    append, count = journal_module.append_step, 0
+    append, count = transcripts.append_step, 0
 
     def append_or_die(path: Path, step: Step) -> None:
         nonlocal count
@@ -57,7 +59,7 @@ def kill_at_step(number: int, torn: float) -> None:
         os.truncate(path, before + round(torn * (after - before)))
         die()
 
-    journal_module.append_step = append_or_die
+    vars(journal_module)["append_step"] = append_or_die
 
 
 def kill_at_sample(number: int) -> None:
@@ -70,7 +72,7 @@ def kill_at_sample(number: int) -> None:
         if count == number:
             die()
 
-    Watching.see = see_or_die  # type: ignore[method-assign]
+    setattr(Watching, "see", see_or_die)  # noqa: B010
 
 
 def in_a_process_of_its_own(home: Path, prepare: Any) -> None:
@@ -124,9 +126,10 @@ def test_killed_while_the_task_is_shown(tmp_path: Path) -> None:
     assert [cue.say for cue in session.watching.cues][:1] == ["first step"]
     assert heard.topics == ["report.resumed_recording"]
     session.hear("finished")
-    assert session.dialogue.known.demonstrations
-    assert len(session.dialogue.known.demonstrations[0].recording.t_s) == 300
     session.close()
+    kept = read_demonstration(session.journal.folder / "demonstration_1.yaml")
+    assert len(kept.recording.t_s) == 300
+    assert kept.cues[0].say == "first step"
 
 
 def test_killed_again_and_again(tmp_path: Path, whole: tuple[dict[str, Any], int]) -> None:
