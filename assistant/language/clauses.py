@@ -46,6 +46,7 @@ class Hearing:
 
     book: Phrasebook
     listening: Listening
+    language: str = "english"
 
     @property
     def names(self) -> frozenset[str]:
@@ -257,8 +258,12 @@ def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
     texts = texts_of(part)
     numbers = hearing.book.numbers
     counted = numbers.ordinal(texts, 0) or numbers.number(texts, 0)
-    if set(texts) & _STEPS and (counted or texts[0] in (*_STEPS, "next", "last", "final")):
-        return said(part), LIKELY + 0.03 if texts[-1] in _STEPS or texts[0] in _STEPS else 0.5
+    numbered = texts[0] in _STEPS and numbers.number(texts, 1) is not None
+    placed = texts[-1] in _STEPS and (counted or texts[0] in ("next", "last", "final"))
+    if placed or (numbered and len(texts) == 2):
+        return said(part), LIKELY + 0.03
+    if texts[0] in _STEPS and len(texts) > 1:
+        part = part[1:]
     if counted and counted[1] == len(texts):
         return said(part), DOUBTFUL
     if len(part) > 1 and texts[-1] in _STEPS:

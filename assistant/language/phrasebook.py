@@ -52,6 +52,7 @@ class Phrasebook:
     vocabulary: frozenset[str]
     suggestions: Mapping[str, tuple[str, ...]]
     again: tuple[Phrase, ...]
+    real: frozenset[str]
 
 
 @cache
@@ -108,6 +109,8 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
         | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
         again=_longest_first(book["again"]),
+        real=frozenset(book["real"].split())
+        | {word for one in _phrases(book["chat"]) for word in one},
         suggestions={
             key: tuple(" ".join(phrase) for phrase in _phrases(told))
             for key, told in book["suggestions"].items()

@@ -20,10 +20,21 @@ _SHORTEST = 4
 
 def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
     """Return the words with misspelled ones replaced by the vocabulary's."""
-    known = book.vocabulary | {part for name in names for part in name.lower().split()}
+    more = frozenset(part for name in names for part in name.lower().split())
+    known = book.vocabulary | more if more else book.vocabulary
     return tuple(
-        Word(_nearest(word.text, frozenset(known)), word.said, word.broken)
-        if word.text.isalpha() and word.text not in known and word.text not in book.chat
+        Word(_nearest(word.text, known), word.said, word.broken)
+        if word.text.isalpha() and word.text not in known and word.text not in book.real
+        else word
+        for word in words
+    )
+
+
+def without_slips(words: Words, book: Phrasebook) -> Words:
+    """Return the words with slips of little words put right, in names as well."""
+    return tuple(
+        Word(_TYPOS[word.text], _TYPOS[word.text], word.broken)
+        if word.text in _TYPOS and word.text not in book.vocabulary
         else word
         for word in words
     )
@@ -34,25 +45,28 @@ def _nearest(text: str, known: frozenset[str]) -> str:
     once = _unstretched(text)
     if once in known:
         return once
-    if len(text) < _SHORTEST:
+    if len(text) < _SHORTEST or text in _TYPOS:
         return _TYPOS.get(text, text)
     far = 1 if len(text) < 7 else 2
     near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=6)
+    letters = sorted(text)
     ranked = sorted(
-        (
-            distance
-            + (0.0 if word[0] == text[0] else 0.6)
-            + (0.0 if word[-1] == text[-1] else 0.2),
-            word,
-        )
+        (_strangeness(text, word, distance, letters), word)
         for word, distance, _ in near
         if len(word) >= _SHORTEST - 1
     )
-    if not ranked or ranked[0][0] > far + 0.3:
+    if not ranked or ranked[0][0] > far + 0.8:
         return text
     if len(ranked) > 1 and ranked[1][0] - ranked[0][0] < 0.1:
         return text
     return ranked[0][1]
+
+
+def _strangeness(text: str, word: str, distance: float, letters: list[str]) -> float:
+    """Return how unlikely a slip is: swapped letters and a kept first letter are likely."""
+    swapped = 0.0 if sorted(word) == letters else 0.5
+    first = 0.0 if word[0] == text[0] else 0.6
+    return swapped + distance + first + (0.0 if word[-1] == text[-1] else 0.2)
 
 
 _TYPOS = {
@@ -61,6 +75,8 @@ _TYPOS = {
     "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open", "cls": "close",
     "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right", "ok": "ok",
     "yse": "yes", "eys": "yes", "ye": "yes", "yse": "yes", "og": "go", "pu": "up", "don": "done",
+    "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with", "jsut": "just",
+    "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "si": "is", "ist": "is",
     "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
 }  # fmt: skip
 

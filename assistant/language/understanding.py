@@ -9,14 +9,26 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.language.answers import OPEN, answer, trimmed, wrapped
-from assistant.language.clauses import GUESS, LIKELY, SURE, Hearing, Parse, clause, texts_of
+from assistant.language.clauses import (
+    DOUBTFUL,
+    GUESS,
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    best_sentence,
+    clause,
+    texts_of,
+)
 from assistant.language.compounds import compound, corrected, once_more
 from assistant.language.naming import known_name
 from assistant.language.phrasebook import Phrasebook, phrasebook
-from assistant.language.repair import homophones, respelled
-from assistant.language.words import Words, spoken, words_of
+from assistant.language.repair import homophones, respelled, without_slips
+from assistant.language.similarity import likest
+from assistant.language.words import Words, said, spoken, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
+    ACTS,
     AddSubtask,
     AdjustLast,
     AdjustSpeed,
@@ -79,12 +91,29 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
         Name of the phrasebook.
     """
     book = phrasebook(language)
-    hearing = Hearing(book, listening)
-    words = _without_fillers(words_of(text, book.contractions), book)
+    hearing = Hearing(book, listening, language)
+    heard_words = words_of(text, book.contractions)
+    if 0 < len(heard_words) <= 3:
+        short = best_sentence(heard_words, hearing)
+        if short is not None and short.score >= SURE and listening.asked not in OPEN:
+            return Understanding(short.acts, short.score, spoken(heard_words))
+    words = without_slips(_without_fillers(heard_words, book), book)
     if not words:
         return Understanding((Unknown(),), 0.9, "")
+    if listening.asked not in OPEN:
+        words = _once(words)
     heard, parse = _best(words, hearing)
     return Understanding(parse.acts, round(parse.score, 3), spoken(heard))
+
+
+def _once(words: Words) -> Words:
+    """Return the words without repetition: "again again", "do it again, do it again"."""
+    texts = texts_of(words)
+    for size in range(1, len(words) // 2 + 1):
+        times, rest = divmod(len(words), size)
+        if rest == 0 and times > 1 and texts == texts[:size] * times:
+            return words[:size]
+    return words
 
 
 def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
@@ -101,7 +130,28 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
         parse = _meaning(variant, hearing)
         if parse.score * _REPAIRED > best.score and not isinstance(parse.acts[0], Unknown):
             best, heard = replace(parse, score=parse.score * _REPAIRED), variant
+    if best.score < DOUBTFUL or isinstance(best.acts[0], Unknown):
+        guess = _likest(spelled, hearing)
+        if guess is not None and guess.score > best.score - 0.1:
+            best, heard = guess, spelled
     return heard, best
+
+
+def _likest(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the act of the likest known sentence, unless people chat or answer."""
+    texts = texts_of(words)
+    if hearing.listening.asked in OPEN or set(texts) & hearing.book.chat or len(texts) > 14:
+        return None
+    found = likest(texts, hearing.listening, hearing.language)
+    if found is None:
+        return None
+    sentence, score = found
+    slots = dict(sentence.slots)
+    if sentence.extra == "text":
+        slots["text"] = said(words)
+    elif sentence.extra:
+        return None
+    return Parse((ACTS[sentence.act](**slots),), score)
 
 
 def _meaning(words: Words, hearing: Hearing) -> Parse:
@@ -154,7 +204,8 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     chatting = (
         texts & hearing.book.chat and len(words) > 3 and not wrapped(bare, asked, hearing.book)
     )
-    if chatting or (bare and bare[0].text in _QUESTIONS):
+    asking = bare and bare[0].text in _QUESTIONS and not wrapped(bare, asked, hearing.book)
+    if chatting or asking:
         return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
     if found is None:
