@@ -1,10 +1,10 @@
-"""Learn a task from demonstrations, without dialogue: cut, assign, generalize.
+r"""Learn a task from demonstrations, without dialogue: cut, assign, generalize.
 
 Several demonstrations are learned each on its own, or together as one lesson. Ends with 1 if
 nothing could be learned.
 
 example:
-  assistant learn tasks/demonstrations/pick_and_place.yaml --task tasks/pick_and_place.yaml \\
+  assistant learn tasks/demonstrations/pick_and_place.yaml --task tasks/pick_and_place.yaml \
     -o learned.yaml
 """
 
@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from assistant.cli import DONE, FAILED
-from assistant.errors import BadInput, NothingLearned
+from assistant.errors import BadInput, NothingLearned, Problem
 
 if TYPE_CHECKING:
     from assistant.model.demonstration import Demonstration
@@ -63,7 +63,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _read_all(paths: Sequence[Path], read: Any) -> list[Demonstration]:
-    shown, problems = [], []
+    shown: list[Demonstration] = []
+    problems: list[Problem] = []
     for path in paths:
         try:
             shown.append(read(path))
