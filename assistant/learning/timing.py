@@ -19,9 +19,11 @@ def hand_speeds(t_s: Array, path: Array) -> Array:
 
 def turn_speeds(t_s: Array, path: Array) -> Array:
     """Return how fast the hand turns between samples in rad/s, shape (n - 1,)."""
-    # A chord of unit quaternions is twice the sine of a quarter of the angle.
-    chords = np.diff(path[:, 3:], axis=0)
-    half = np.sqrt(np.sum(chords * chords, axis=1))
+    # A chord of unit quaternions is twice the sine of a quarter of the angle; of both signs of
+    # a rotation the nearer counts.
+    first, second = path[:-1, 3:], path[1:, 3:]
+    apart, across = np.sum((second - first) ** 2, axis=1), np.sum((second + first) ** 2, axis=1)
+    half = np.sqrt(np.minimum(apart, across))
     return np.asarray(4.0 * np.arcsin(np.minimum(half / 2.0, 1.0)) / np.diff(t_s))
 
 
@@ -35,7 +37,6 @@ def bounded_times(
     steps_s : array, shape (n - 1,)
         Times between samples as they should be.
     path : array, shape (n, 7)
-        Quaternions of neighbors have like signs.
     greatest_m_s, greatest_rad_s : float
         Speed and turning never exceed these.
     brake : int
