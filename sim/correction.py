@@ -42,7 +42,9 @@ def release_offset(supposed: Array, seen: Array) -> Array | None:
     return None if far or turned else offset
 
 
-def corrected(motion: JointPath, offset: Array, begin: int, stop: HandStop) -> JointPath | None:
+def corrected(
+    motion: JointPath, offset: Array, begin: int, full: int, stop: HandStop
+) -> JointPath | None:
     """Return the motion with its release moved by an offset; None if that cannot be done.
 
     Parameters
@@ -50,8 +52,8 @@ def corrected(motion: JointPath, offset: Array, begin: int, stop: HandStop) -> J
     motion : JointPath
     offset : array, shape (7,)
         In the flange's frame, see `release_offset`.
-    begin : int
-        Sample from which the offset may come in.
+    begin, full : int
+        Samples from which the offset may come in, and by which it must be there.
     stop : HandStop
         The release.
     """
@@ -59,7 +61,7 @@ def corrected(motion: JointPath, offset: Array, begin: int, stop: HandStop) -> J
     q = np.array(motion.q)
     part = slice(begin, last)
     samples = np.arange(begin, last, dtype=float)
-    weight = _ramp(samples, begin, stop.docking_at, stop.left_at, last - 1)
+    weight = _ramp(samples, begin, full, stop.left_at, last - 1)
     wanted = compose(forward(q[part]), interpolate(IDENTITY, offset, weight))
     q[part] = _nearest(wanted, q[part])
     if not _still_good(q, motion, part):

@@ -29,7 +29,7 @@ class InHandSensor:
 
     noise_m: float = 2e-5
     noise_deg: float = 0.02
-    looks: int = 10
+    looks: int = 8
     seed: int = 0
     _random: np.random.Generator = field(init=False, repr=False)
 

@@ -12,7 +12,7 @@ import threading
 import numpy as np
 
 from assistant.errors import WorkFailed
-from assistant.geometry import Array, angle_between, compose, distance_between, inverse
+from assistant.geometry import IDENTITY, Array, angle_between, compose, distance_between, inverse
 from assistant.model.motion import Alignment, ArmReport, HandStop, JointPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -37,6 +37,8 @@ STILL_TICKS = 8
 """The opening has settled when it has not changed for this many ticks."""
 STILL_M = 2e-5
 LOST_TICKS = 3
+SETTLED_TICKS = 3
+"""A correction is complete so long before the body stands."""
 
 
 class SimulatedArm:
@@ -84,6 +86,7 @@ class SimulatedArm:
         self._still = self._lost = 0
         self._last_opening_m = np.inf
         self._grip = 1.0
+        self._offset: Array = np.array(IDENTITY)
         self._released: list[HandStop] = []
         self._told_samples: list[tuple[int, ArmReport]] = []
 
@@ -166,6 +169,7 @@ class SimulatedArm:
         acting = playback.at_station and not playback.braking
         if not acting:
             playback.advance()
+            self._look_again(playback)
             self._q, self._hand = playback.now()
         fault = self.world.step(self._q, self._hand, self._opening_m, self._allowed(playback))
         self._now_s += CONTROL_S
@@ -230,7 +234,7 @@ class SimulatedArm:
             return self._let_go(stop, held)
         if held != stop.object:
             return (self._halt("unmet", "held", stop.object),)
-        self._carried = held
+        self._carried, self._offset = held, np.array(IDENTITY)
         if held and self._sensor is not None:
             self._correct(held, min(stop.left_at, playback.motion.t_s.size - 1))
         closed = self._report("perceived", "hand", "closed")
@@ -254,19 +258,30 @@ class SimulatedArm:
     def _known(self, name: str) -> bool:
         return name in self._setup.places
 
-    def _correct(self, held: str, begin: int) -> None:
-        playback = self._playback
-        if playback is None or not playback.pending or self._sensor is None:
+    def _correct(self, held: str, begin: int, full: int | None = None) -> None:
+        """Look at the body in the hand and move its release accordingly."""
+        playback, supposed = self._playback, self._supposed
+        if playback is None or not playback.pending or self._sensor is None or supposed is None:
             return
         stop = playback.pending[0]
-        if stop.kind != "release" or self._supposed is None:
+        if stop.kind != "release":
             return
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
-        self._now_s += self._sensor.looks * CONTROL_S
-        offset = release_offset(self._supposed, self._sensor.look(in_hand))
-        better = None if offset is None else corrected(playback.motion, offset, begin, stop)
+        offset = release_offset(supposed, self._sensor.look(in_hand))
+        if offset is None:
+            return
+        full = stop.docking_at if full is None else full
+        more = compose(inverse(self._offset), offset)
+        better = corrected(playback.motion, more, begin, full, stop)
         if better is not None:
             playback.replace(better)
+            self._offset = offset
+
+    def _look_again(self, playback: Playback) -> None:
+        # What crept while the body was carried is seen on arrival at the docking pose.
+        stop = playback.pending[0] if playback.pending else None
+        if stop is not None and self._carried and playback.sample == stop.docking_at:
+            self._correct(self._carried, playback.sample, stop.at - SETTLED_TICKS)
 
     def _plan_reports(self, motion: JointPath) -> None:
         for stop in motion.stops:
