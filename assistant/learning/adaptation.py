@@ -19,13 +19,14 @@ from assistant.geometry import (
     quat_continuous,
     quat_from_rotvec,
     quat_multiply,
-    relative,
     rotate_vector,
 )
 from assistant.learning.amendments import Bend, bends, commanded, speed_factors, station_moves
 from assistant.learning.blending import azimuth_turned, eq6_way, two_frame_way
+from assistant.learning.holding import held_stretches
+from assistant.learning.rigid import Floats, Rows, composed, inverted
 from assistant.learning.timing import bounded_times, hand_speeds
-from assistant.learning.ways import Span, Ways, prepare, smooth_way
+from assistant.learning.ways import Ways, prepare, smooth_way
 from assistant.learning.weights import FrameWeights, frame_weights
 from assistant.model.lesson import Station
 from assistant.model.motion import HandPath, HandStop, Indices
@@ -52,8 +53,12 @@ class AdaptationPlan:
     stations : tuple of Station
     station_moves : array, shape (stations, 7)
         Corrections, within each station's frame.
-    back : array, shape (stations, 7)
+    back : seven floats a station
         From the world of the demonstration into each corrected frame.
+    start_back : seven floats
+        The inverse of the learned path's first pose.
+    hands : seven floats a station
+        The hand at each, in its frame, with corrections.
     ways : Ways
     weights : FrameWeights
         For eq. (6).
@@ -72,7 +77,9 @@ class AdaptationPlan:
     primitive_at: Indices
     stations: tuple[Station, ...]
     station_moves: Array
-    back: Array
+    back: Rows
+    start_back: list[float]
+    hands: Rows
     ways: Ways
     weights: FrameWeights
     bends: tuple[Bend, ...]
@@ -113,7 +120,12 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
         primitive_at=learned.primitive_at,
         stations=stations,
         station_moves=shifts,
-        back=compose(shifts, inverse(frames)),
+        back=compose(shifts, inverse(frames)).tolist(),
+        start_back=inverse(path[0]).tolist(),
+        hands=[
+            compose(shift, one.hand_in_frame).tolist()
+            for shift, one in zip(shifts, stations, strict=True)
+        ],
         ways=prepare(path, held, settings.least_radius_m),
         weights=frame_weights(
             path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
@@ -180,22 +192,25 @@ def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:
     start : array, shape (7,)
         Where the hand is.
     """
-    at_stations = compose(frames, plan.back) if len(plan.stations) else np.zeros((0, 7))
-    moves = _moves(plan, at_stations, start)
+    moves = _moves(plan, frames.tolist(), start.tolist())
     scheme = plan.settings.scheme
-    if scheme == "smooth":
-        path = smooth_way(plan.ways, moves)
-    elif scheme == "two_frame":
-        path = two_frame_way(plan.ways.path, moves, plan.ways.held)
-    elif not len(plan.stations):
-        path = compose(moves[0], plan.ways.path)
-    else:
-        learned = plan.ways.path
-        turned = azimuth_turned(learned, moves, plan.ways.held) if scheme == "azimuth" else learned
-        path = eq6_way(turned, learned, at_stations, start, plan.weights)
+    path = smooth_way(plan.ways, moves) if scheme == "smooth" else _printed(plan, moves, start)
     for bend in plan.bends:
         _bent(path, bend, frames)
     return path
+
+
+def _printed(plan: AdaptationPlan, stretch_moves: Rows, start: Array) -> Array:
+    """Return the path of one of the schemes near to the paper's."""
+    moves, scheme = np.array(stretch_moves), plan.settings.scheme
+    at_stations = moves[1 : 1 + len(plan.stations)]
+    if scheme == "two_frame":
+        return two_frame_way(plan.ways.path, moves, plan.ways.held)
+    if not plan.stations:
+        return compose(moves[0], plan.ways.path)
+    learned = plan.ways.path
+    turned = azimuth_turned(learned, moves, plan.ways.held) if scheme == "azimuth" else learned
+    return eq6_way(turned, learned, at_stations, start, plan.weights)
 
 
 def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
@@ -204,54 +219,31 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
     An object that has been released is from then on where the hand let go of it.
     """
     _check_places(plan.stations, setup)
-    now = {name: scene.hand_pose(name, place) for name, place in setup.places.items()}
-    in_hand: dict[str, Array] = {}
-    out = np.empty((len(plan.stations), 7))
-    for k, station in enumerate(plan.stations):
-        out[k] = now[station.frame]
-        hand = compose(out[k], compose(plan.station_moves[k], station.hand_in_frame))
+    used = {station.frame for station in plan.stations}
+    now = {
+        name: scene.hand_pose(name, place).tolist()
+        for name, place in setup.places.items()
+        if name in used
+    }
+    in_hand: dict[str, list[float]] = {}
+    out = []
+    for station, hand_in_frame in zip(plan.stations, plan.hands, strict=True):
+        frame = now[station.frame]
+        out.append(frame)
         if station.kind == "grasp":
-            in_hand[station.object] = relative(hand, out[k])
+            # The frame as seen from the hand goes with the hand until it lets go.
+            in_hand[station.object] = inverted(hand_in_frame)
         elif station.kind == "release" and station.object in in_hand:
-            now[station.object] = compose(hand, in_hand.pop(station.object))
-    return out
+            hand = composed(frame, hand_in_frame)
+            now[station.object] = composed(hand, in_hand.pop(station.object))
+    return np.array(out).reshape(-1, 7)
 
 
-def held_stretches(
-    xyz: Array, stations: Sequence[Station], settings: BlendingSettings
-) -> tuple[tuple[Span, ...], bool]:
-    """Return the stretches that keep their shape, and whether the last is the start again.
-
-    The first is the start; a path that comes back to its start ends there again; else the last
-    station's stretch goes on to the end.
-    """
-    travel = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(xyz, axis=0), axis=1))])
-    held: list[Span] = [(0, 0)]
-    previous = 0
-    for k, station in enumerate(stations):
-        way = travel[station.at] - travel[previous]
-        kept = min(settings.hold_m, settings.most_held * way)
-        begin = int(np.searchsorted(travel, travel[station.at] - kept, side="right")) - 1
-        begin = max(min(begin, station.docking_at), held[-1][1] + 1)
-        end = station.left_at
-        if k + 1 < len(stations):
-            end = min(end, max(stations[k + 1].docking_at - 2, station.at))
-        held.append((min(begin, station.at), max(end, station.at)))
-        previous = station.at
-    last = len(xyz) - 1
-    home = bool(np.linalg.norm(xyz[-1] - xyz[0]) < 0.05) and last > held[-1][1] + 10
-    if home and len(stations):
-        return (*held, (last, last)), True
-    held[-1] = (held[-1][0], last)
-    return tuple(held), False
-
-
-def _moves(plan: AdaptationPlan, at_stations: Array, start: Array) -> Array:
-    begin = compose(start, inverse(plan.ways.path[0]))[None, :]
-    parts = [begin, at_stations]
-    if plan.ends_with_start:
-        parts.append(begin)
-    return np.concatenate(parts)
+def _moves(plan: AdaptationPlan, frames: Rows, start: Floats) -> Rows:
+    begin = composed(start, plan.start_back)
+    moves = [begin]
+    moves += [composed(frame, back) for frame, back in zip(frames, plan.back, strict=True)]
+    return [*moves, begin] if plan.ends_with_start else moves
 
 
 def _bent(path: Array, bend: Bend, frames: Array) -> None:

@@ -13,7 +13,8 @@ from dataclasses import replace
 import numpy as np
 
 from assistant.geometry import Array, compose, inverse, quat_normalize, relative
-from assistant.learning.adaptation import held_stretches
+from assistant.learning.holding import held_stretches
+from assistant.learning.rigid import Rows
 from assistant.learning.structure import left_out_questions, order_questions
 from assistant.learning.ways import prepare, smooth_way
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
@@ -84,10 +85,11 @@ def _carried(path: Array, stations: Sequence[Station], hands: Sequence[Array]) -
     """Return the path with each station's hand where it is on average."""
     settings = BlendingSettings()
     held, home = held_stretches(path[:, :3], stations, settings)
-    moves = [np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])]
+    moves: Rows = [[0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]]
     for station, hand in zip(stations, hands, strict=True):
         here = compose(station.frame_to_world, station.hand_in_frame)
-        moves.append(compose(compose(station.frame_to_world, hand), inverse(here)))
+        there = compose(station.frame_to_world, hand)
+        moves.append(compose(there, inverse(here)).tolist())
     if home:
         moves.append(moves[0])
-    return smooth_way(prepare(path, held, settings.least_radius_m), np.array(moves))
+    return smooth_way(prepare(path, held, settings.least_radius_m), moves)

@@ -10,14 +10,36 @@ and target and never cuts across the base.
 from __future__ import annotations
 
 import itertools
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array, quat_inverse, quat_multiply, quat_to_rotvec
+from assistant.geometry import Array
+from assistant.learning.rigid import Floats, Rows, arc, left_factor, matrix, multiply
 from assistant.learning.weights import least_jerk
 
 Span = tuple[int, int]
+Turn = tuple[float, list[float]]
+
+_UP = (0.0, 0.0, 1.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """The sample at an end of a way, between its two neighbors.
+
+    Parameters
+    ----------
+    near : three rows of three floats
+        xyz.
+    around : three rows of three floats
+        The same as distance, azimuth and height; or xyz again.
+    """
+
+    near: Rows
+    around: Rows
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -32,13 +54,10 @@ class Between:
         Weights of value, slope and curvature (a sample's step being 1) at both ends.
     share : array, shape (m,)
         Share of the turn made.
-    quats : array, shape (m, 4)
-    around : array, shape (m, 3)
+    quats : array, shape (4, m)
+    around : array, shape (3, m)
         Distance, azimuth and height; or xyz.
-    near : array, shape (2, 3, 3)
-        xyz of the three samples about each end.
-    near_around : array, shape (2, 3, 3)
-        The same as distance, azimuth and height.
+    ends : two of End
     """
 
     first: int
@@ -47,8 +66,7 @@ class Between:
     share: Array
     quats: Array
     around: Array
-    near: Array
-    near_around: Array
+    ends: tuple[End, End]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,7 +78,7 @@ class Ways:
     path : array, shape (n, 7)
     held : tuple of (first, last)
         Stretches that keep their shape: the start, each station, perhaps the end.
-    middles : array, shape (len(held), 3)
+    middles : three floats a stretch
         A place within each, whose azimuth the hand's turning follows.
     polar : bool
         Whether the way turns with the azimuth about the base.
@@ -70,7 +88,7 @@ class Ways:
 
     path: Array
     held: tuple[Span, ...]
-    middles: Array
+    middles: Rows
     polar: bool
     between: tuple[Between, ...]
 
@@ -94,17 +112,17 @@ def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
     between = tuple(
         _between(path, around, first, last) for (_, first), (last, _) in itertools.pairwise(held)
     )
-    middles = np.array([path[last, :3] for _, last in held])
+    middles = [path[last, :3].tolist() for _, last in held]
     return Ways(path, held, middles, polar, between)
 
 
-def smooth_way(ways: Ways, moves: Array) -> Array:
+def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
     """Return the path with each held stretch moved rigidly and the ways between carried.
 
     Parameters
     ----------
     ways : Ways
-    moves : array, shape (len(held), 7)
+    moves : seven floats a stretch
         How each stretch moves, in the world.
 
     Returns
@@ -115,20 +133,22 @@ def smooth_way(ways: Ways, moves: Array) -> Array:
         (counterclockwise seen from above).
     """
     out = np.empty_like(ways.path)
-    matrices = _matrices(moves[:, 3:])
-    lefts = _left_factors(moves[:, 3:])
+    turning = [matrix(move[3:]) for move in moves]
     for k, (first, last) in enumerate(ways.held):
-        stretch = slice(first, last + 1)
-        out[stretch, :3] = ways.path[stretch, :3] @ matrices[k].T + moves[k, :3]
-        out[stretch, 3:] = ways.path[stretch, 3:] @ lefts[k].T
-    if ways.between:
-        ends = _ends(ways, matrices, moves)
-        azimuths, turns, axes, angles = _turns(ways, matrices, moves)
-        for k, way in enumerate(ways.between):
-            if way.last > way.first + 1:
-                inside = slice(way.first + 1, way.last)
-                out[inside, :3] = _places(way, ends[k], ways.polar)
-                out[inside, 3:] = _turned(way, azimuths[k : k + 2], turns[k], axes[k], angles[k])
+        stretch, move = slice(first, last + 1), moves[k]
+        held = np.array(turning[k]) @ ways.path[stretch, :3].T
+        out[stretch, :3] = held.T + np.array(move[:3])
+        out[stretch, 3:] = (np.array(left_factor(move[3:])) @ ways.path[stretch, 3:].T).T
+    turns = _turns(ways, turning, moves)
+    for k, way in enumerate(ways.between):
+        if way.last > way.first + 1:
+            inside = slice(way.first + 1, way.last)
+            ends = [
+                *_end(way.ends[0], turning[k], moves[k], ways.polar),
+                *_end(way.ends[1], turning[k + 1], moves[k + 1], ways.polar),
+            ]
+            _place(way, np.array(ends), ways.polar, out[inside])
+            out[inside, 3:] = _turned(way, turns[k], turns[k + 1])
     return out
 
 
@@ -136,19 +156,22 @@ def _between(path: Array, around: Array, first: int, last: int) -> Between:
     length = max(last - first, 1)
     share = np.arange(1, length) / length
     inside = slice(first + 1, last)
-    # Slope and curvature at an end are taken from its two neighbors; at the path's own ends
-    # the sample itself stands in for the missing one.
-    about = np.clip([[end - 1, end, end + 1] for end in (first, last)], 0, len(path) - 1)
     return Between(
         first,
         last,
         _hermite(share, length),
         least_jerk(share),
-        path[inside, 3:].copy(),
-        around[inside].copy(),
-        path[about, :3].copy(),
-        around[about].copy(),
+        np.ascontiguousarray(path[inside, 3:].T),
+        np.ascontiguousarray(around[inside].T),
+        (_about(path, around, first), _about(path, around, last)),
     )
+
+
+def _about(path: Array, around: Array, end: int) -> End:
+    # Slope and curvature at an end are taken from its two neighbors; at the path's own ends
+    # the sample itself stands in for the missing one.
+    samples = np.clip([end - 1, end, end + 1], 0, len(path) - 1)
+    return End(path[samples, :3].tolist(), around[samples].tolist())
 
 
 def _hermite(share: Array, length: int) -> Array:
@@ -166,90 +189,71 @@ def _hermite(share: Array, length: int) -> Array:
     return np.stack(weights, axis=1)
 
 
-def _ends(ways: Ways, matrices: Array, moves: Array) -> Array:
-    """Return value, slope and curvature of the correction at both ends, shape (ways, 6, 3)."""
-    near = np.array([way.near for way in ways.between])
-    before = np.array([way.near_around for way in ways.between])
-    turning = np.stack([matrices[:-1], matrices[1:]], axis=1)
-    shift = np.stack([moves[:-1, :3], moves[1:, :3]], axis=1)
-    moved = near @ turning.transpose(0, 1, 3, 2) + shift[:, :, None, :]
-    if ways.polar:
-        azimuth = np.arctan2(moved[..., 1], moved[..., 0])
-        # The three neighbors lie together; only between stations may azimuths differ much.
-        middle = azimuth[..., 1:2]
-        azimuth = middle + (azimuth - middle + np.pi) % (2.0 * np.pi) - np.pi
-        moved = np.stack([np.hypot(moved[..., 0], moved[..., 1]), azimuth, moved[..., 2]], axis=-1)
-    change = moved - before
-    values = change[:, :, 1]
-    slopes = (change[:, :, 2] - change[:, :, 0]) / 2.0
-    bends = change[:, :, 2] - 2.0 * values + change[:, :, 0]
-    joined = np.stack([values, slopes, bends], axis=2)
-    return joined.reshape(len(near), 6, 3)
+def _end(end: End, turning: Rows, move: Floats, polar: bool) -> Rows:
+    """Return value, slope and curvature of the correction at an end, one row each."""
+    changes = []
+    middle = math.nan
+    for k in (1, 0, 2):
+        x, y, z = end.near[k]
+        moved = [
+            row[0] * x + row[1] * y + row[2] * z + shift
+            for row, shift in zip(turning, move[:3], strict=True)
+        ]
+        if polar:
+            azimuth = math.atan2(moved[1], moved[0])
+            if k == 1:
+                middle = azimuth
+            # The three neighbors lie together; only between stations may azimuths differ much.
+            azimuth = middle + math.remainder(azimuth - middle, 2.0 * math.pi)
+            moved = [math.hypot(moved[0], moved[1]), azimuth, moved[2]]
+        changes.append([a - b for a, b in zip(moved, end.around[k], strict=True)])
+    here, before, after = changes
+    slope = [(b - a) / 2.0 for a, b in zip(before, after, strict=True)]
+    bend = [a - 2.0 * h + b for a, h, b in zip(before, here, after, strict=True)]
+    return [here, slope, bend]
 
 
-def _places(way: Between, ends: Array, polar: bool) -> Array:
-    carried = way.around + way.hermite @ ends
-    if not polar:
-        return np.asarray(carried)
-    radius, azimuth = carried[:, 0], carried[:, 1]
-    out = np.empty_like(carried)
-    np.multiply(radius, np.cos(azimuth), out=out[:, 0])
-    np.multiply(radius, np.sin(azimuth), out=out[:, 1])
-    out[:, 2] = carried[:, 2]
-    return out
+def _place(way: Between, ends: Array, polar: bool, out: Array) -> None:
+    carried = ends.T @ way.hermite.T
+    carried += way.around
+    if polar:
+        radius, azimuth = carried[0], carried[1]
+        np.multiply(radius, np.cos(azimuth), out=out[:, 0])
+        np.multiply(radius, np.sin(azimuth), out=out[:, 1])
+        out[:, 2] = carried[2]
+    else:
+        out[:, :3] = carried.T
 
 
-def _turns(ways: Ways, matrices: Array, moves: Array) -> tuple[Array, Array, Array, Array]:
-    """Return each stretch's change of azimuth, and between them the remaining turn.
-
-    The turn of a stretch is its change of azimuth after a rest, D; between two of them D is
-    led along the shorter arc, given here as D at the begin, the arc's axis and its angle.
-    """
-    azimuths = np.zeros(len(moves))
-    if ways.polar:
-        after = (matrices @ ways.middles[:, :, None])[:, :, 0] + moves[:, :3]
-        before = ways.middles
-        azimuths = np.arctan2(after[:, 1], after[:, 0]) - np.arctan2(before[:, 1], before[:, 0])
-    back = np.zeros((len(moves), 4))
-    back[:, 2], back[:, 3] = np.sin(-azimuths / 2.0), np.cos(azimuths / 2.0)
-    rests = quat_multiply(back, moves[:, 3:])
-    vectors = quat_to_rotvec(quat_multiply(quat_inverse(rests[:-1]), rests[1:]))
-    angles = np.sqrt(np.sum(vectors * vectors, axis=1))
-    half = angles > np.pi - 1e-9
-    vectors = np.where((half & (vectors[:, 2] < 0.0))[:, None], -vectors, vectors)
-    axes = vectors / np.where(angles < 1e-12, 1.0, angles)[:, None]
-    return azimuths, rests[:-1], axes, angles
+def _turns(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats]) -> list[Turn]:
+    """Return each stretch's change of azimuth and the turn that remains after it."""
+    turns = []
+    for rows, move, (x, y, z) in zip(turning, moves, ways.middles, strict=True):
+        azimuth = 0.0
+        if ways.polar:
+            after_x = rows[0][0] * x + rows[0][1] * y + rows[0][2] * z + move[0]
+            after_y = rows[1][0] * x + rows[1][1] * y + rows[1][2] * z + move[1]
+            azimuth = math.atan2(after_y, after_x) - math.atan2(y, x)
+        back = [0.0, 0.0, math.sin(-azimuth / 2.0), math.cos(azimuth / 2.0)]
+        turns.append((azimuth, multiply(back, move[3:])))
+    return turns
 
 
-def _turned(way: Between, azimuths: Array, rest: Array, axis: Array, angle: float) -> Array:
+def _turned(way: Between, here: Turn, there: Turn) -> Array:
     """Return the hand's quaternions on a way: azimuth, then the arc, then the learned turn."""
-    about_z = (azimuths[0] + (azimuths[1] - azimuths[0]) * way.share) / 2.0
-    along = (angle / 2.0) * way.share
-    arc = quat_multiply(rest, np.append(axis, 0.0))
+    (from_azimuth, rest), (to_azimuth, end) = here, there
+    back = [-rest[0], -rest[1], -rest[2], rest[3]]
+    axis, angle = arc(multiply(back, end))
+    about_z = (0.5 * (to_azimuth - from_azimuth)) * way.share + 0.5 * from_azimuth
+    along = (0.5 * angle) * way.share
+    begun = multiply(rest, [*axis, 0.0])
     # The product of both turns is a sum of four fixed quaternions with these weights.
     cos_z, sin_z, cos_a, sin_a = np.cos(about_z), np.sin(about_z), np.cos(along), np.sin(along)
-    z = np.array([0.0, 0.0, 1.0, 0.0])
-    terms = np.stack([rest, arc, quat_multiply(z, rest), quat_multiply(z, arc)])
-    weights = np.stack([cos_z * cos_a, cos_z * sin_a, sin_z * cos_a, sin_z * sin_a])
-    factors = _left_factors(terms)
-    whole = way.quats @ factors.transpose(2, 0, 1).reshape(4, 16)
-    return np.asarray(np.einsum("nij,in->nj", whole.reshape(-1, 4, 4), weights))
-
-
-def _matrices(quats: Array) -> Array:
-    x, y, z, w = quats.T
-    rows = np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
-    return np.asarray(rows.transpose(2, 0, 1))
-
-
-def _left_factors(quats: Array) -> Array:
-    """Return matrices, shape (m, 4, 4), that multiply a quaternion from the left."""
-    x, y, z, w = quats.T
-    rows = np.array([[w, -z, y, x], [z, w, -x, y], [-y, x, w, z], [-x, -y, -z, w]])
-    return np.asarray(rows.transpose(2, 0, 1))
+    terms = [rest, begun, multiply(_UP, rest), multiply(_UP, begun)]
+    factors = np.array([row for term in terms for row in left_factor(term)])
+    whole = (factors @ way.quats).reshape(4, 4, -1)
+    out = (cos_z * cos_a) * whole[0]
+    out += (cos_z * sin_a) * whole[1]
+    out += (sin_z * cos_a) * whole[2]
+    out += (sin_z * sin_a) * whole[3]
+    return np.asarray(out.T)

@@ -82,7 +82,7 @@ def frame_weights(
         fall = 1.0 - six_order(share / settings.fall_by)
         old = (station > 0) & (share < settings.fall_by)
         lambda1[way] = np.where(old, fall, rise)
-        lambda2[way] = fall
+        lambda2[way] = 1.0 - six_order(share / settings.depart_by)
         near[way] = np.where(old, station - 1, station)
         left[begin : at + 1] = station - 1
         lambda1[docking_at : at + 1] = 1.0

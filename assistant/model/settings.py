@@ -91,7 +91,9 @@ class BlendingSettings:
     rise_from: float = 0.40
     """Share of the way between stations from which lambda1 rises to 1."""
     fall_by: float = 0.35
-    """Share of the way by which lambda1 and lambda2 of the last station have fallen to 0."""
+    """Share of the way by which lambda1 of the last station has fallen to 0."""
+    depart_by: float = 0.20
+    """Share of the way by which lambda2 has fallen to 0."""
     tool_m: float = 0.1341
     """The hand is turned about this point ahead of the flange (A465: the TCP)."""
     turn_rad_s: float = 1.6
@@ -200,8 +202,8 @@ class CueSettings:
     usual_lag_s: float = 0.9
     usual_lag_spread_s: float = 0.9
     jitters_s: tuple[float, ...] = (0.08, 0.15, 0.25)
-    false_share: float = 0.12
-    least_missing: float = 0.1
+    false_share: float = 0.15
+    least_missing: float = 0.09
 
 
 @dataclass(frozen=True, slots=True)
@@ -212,21 +214,21 @@ class DecodingSettings:
     """
 
     bias: float = -3.3
-    depth: float = 0.63
+    depth: float = 0.75
     deepest: float = 1.9
     rest: float = 1.55
     bend: float = 0.54
     gripper: float = 3.6
-    jolt: float = 1.7
-    part: float = 1.0
-    heard: float = 1.0
+    jolt: float = 1.6
+    part: float = 1.9
+    heard: float = 0.7
     direction: float = 2.4
     still: float = 1.4
     wide: float = 8.0
     turned: float = 0.5
     idle: float = 0.7
-    nearing: float = 1.3
-    event: float = 4.0
+    nearing: float = 1.1
+    event: float = 4.5
     lasting: float = 0.7
     soon: float = 0.5
     skip: float = 4.5

@@ -66,7 +66,8 @@ def votes_figure(lesson: Lesson) -> Figure:
     found = lesson.segmentation
     figure, axes = _page(10.0, 5.2)
     for color, (name, votes) in zip(COLORS[1:], found.signal_votes.items(), strict=False):
-        axes.plot(found.vote_t_s, votes, color=color, linewidth=1.0, alpha=0.75, label=name)
+        if np.any(votes > 0.0):
+            axes.plot(found.vote_t_s, votes, color=color, linewidth=1.0, alpha=0.75, label=name)
     axes.plot(found.vote_t_s, found.vote, color=COLORS[0], linewidth=2.4, label="overall vote")
     if len(found.vote):
         mean = float(np.mean(found.vote))
@@ -120,7 +121,8 @@ def paths_figure(
                 label = "_"
     _mark_places(axes, lesson, learned, xyz)
     axes.set(xlabel="x (mm)", ylabel="y (mm)", zlabel="z (mm)", title="Learned path of the hand")
-    axes.set_box_aspect(np.maximum(np.ptp(xyz, axis=0), 0.3 * np.max(np.ptp(xyz, axis=0))))
+    spans = np.ptp(xyz, axis=0)
+    axes.set_box_aspect(np.maximum(spans, 0.3 * np.max(spans)), zoom=1.15)
     axes.view_init(elev=24.0, azim=-38.0)
     axes.locator_params(nbins=5)
     figure.legend(loc="outside lower center", ncols=2, frameon=False)
@@ -152,7 +154,7 @@ def weights_figure(lesson: Lesson, learned: LearnedPath) -> Figure:
         axes.axvspan(
             learned.t_s[one.docking_at], learned.t_s[one.at], color=PALE, alpha=0.25, linewidth=0
         )
-        axes.axvline(learned.t_s[one.at], color=INK, linewidth=0.9)
+        axes.axvline(learned.t_s[one.at], ymax=0.87, color=INK, linewidth=0.9)
         axes.annotate(
             f"{one.kind} {one.object}" if one.kind == "grasp" else f"{one.kind} at {one.frame}",
             (learned.t_s[one.at], 1.04),
