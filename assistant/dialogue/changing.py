@@ -20,9 +20,9 @@ from assistant.dialogue.correcting import (
 )
 from assistant.dialogue.directions import depends_on_facing, direction_of
 from assistant.dialogue.effects import Jog, SetHand
+from assistant.dialogue.finding import find_whole, name_at, unclear
 from assistant.dialogue.going_back import resettled
 from assistant.dialogue.state import Change, Dialogue, Knowledge, Pending, Ran, Ready, Running
-from assistant.dialogue.structure import find, name_at, unclear
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
@@ -36,7 +36,7 @@ SHOWN_M = 0.010
 def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, sure: bool) -> Turn:
     """Take a spoken correction; what is large, or heard as a number, is read back first."""
     if isinstance(act, acts.Gripper) and act.where is None:
-        at_rest = dialogue.arm not in ("moving", "checking")
+        at_rest = not dialogue.busy
         if at_rest:
             return _hand(dialogue, act, sure=sure)
     if dialogue.known.lesson is None:
@@ -71,7 +71,7 @@ def _read_back(dialogue: Dialogue, act: Correction, words: str) -> Turn:
 def _place(dialogue: Dialogue, act: Correction) -> Place | None:
     """Return where a correction belongs: as said, else what is being done, else the end."""
     if act.where is not None:
-        index = find(dialogue.known, act.where.subtask)
+        index = find_whole(dialogue.known, act.where.subtask)
         if index is None:
             return None
         return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
@@ -155,7 +155,7 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
 
 
 def _told(dialogue: Dialogue, said: RobotAct) -> Turn:
-    if dialogue.arm in ("moving", "checking"):
+    if dialogue.busy:
         return say(dialogue, said, line("told", "next_time"))
     if isinstance(dialogue.state, Running):
         return say(dialogue, said)
@@ -203,7 +203,7 @@ def _turned_to(
 ) -> Turn:
     before = dialogue.known
     small = change.label in ("correction", "facing")
-    if dialogue.arm in ("moving", "checking") and not small:
+    if dialogue.busy and not small:
         return say(dialogue, line("error", "while_moving"))
     after = replace(
         dialogue,
@@ -218,6 +218,8 @@ def _turned_to(
     said = line("done", topic, what=change.label)
     if small:
         return _told(corrected(after), said)
+    if after.arm == "checking":
+        after = replace(after, arm="rest", state=Ready())
     return resettled(before, after, said)
 
 

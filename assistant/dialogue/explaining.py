@@ -6,13 +6,14 @@ import re
 from dataclasses import replace
 from typing import Any
 
+from assistant.dialogue.agreeing import disagreement
 from assistant.dialogue.asking import PRACTICE, index_of, places, question, tell
 from assistant.dialogue.conditions import expected, plain_conditions
 from assistant.dialogue.correcting import plain_feedback, speed_of
-from assistant.dialogue.practicing import disagreement, refusal_line
+from assistant.dialogue.finding import find
+from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.reviewing import read_back
 from assistant.dialogue.state import Dialogue
-from assistant.dialogue.structure import find
 from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
 from assistant.language.hints import matter
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint

@@ -3,33 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from assistant.dialogue import keeping, practicing, reviewing, showing, structure
-from assistant.dialogue.answers import answer
-from assistant.dialogue.asking import ask, introduced, proceed, question, stage, tell
+from assistant.dialogue.asking import ask, question, stage, tell
 from assistant.dialogue.changing import adjust_last, correct, redo, undo
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
+from assistant.dialogue.finding import find, name_at, unclear
 from assistant.dialogue.going_back import go_back
-from assistant.dialogue.naming import Value
 from assistant.dialogue.placing import set_pose
+from assistant.dialogue.replying import answers_by_words, in_state
 from assistant.dialogue.state import (
-    AwaitingShow,
     Closed,
     Dialogue,
-    Introducing,
     Opening,
     Pending,
-    Ran,
-    Ready,
-    Reviewing,
-    Running,
-    Thinking,
     Watching,
 )
-from assistant.dialogue.turn import Turn, changed, first, line, say
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language.hints import matter
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
@@ -38,25 +31,6 @@ from assistant.model.teacher_acts import act_to_json
 
 SAFETY = SafetySettings()
 _LAST = (acts.NewSetup, acts.Start, acts.Resume, acts.Again, acts.Quit)
-_WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.AdjustSpeed)
-"""Acts whose words answer a question for a name or an action: "move up" is a name there."""
-
-
-@dataclass(frozen=True, slots=True)
-class Words:
-    """How something was said.
-
-    Parameters
-    ----------
-    text : str
-    by_voice : bool
-    sure : bool
-        The teacher has confirmed it.
-    """
-
-    text: str
-    by_voice: bool = False
-    sure: bool = False
 
 
 def hear(dialogue: Dialogue, event: Heard) -> Turn:
@@ -164,7 +138,7 @@ def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
         if answered is not None:
             return answered
         heard = replace(heard, pending=None)
-    return _general(heard, act, words) or _in_state(heard, act, words)
+    return _general(heard, act, words) or in_state(heard, act, words)
 
 
 def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
@@ -233,7 +207,7 @@ def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Wo
 
 def _general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
     """Do what means the same in every state."""
-    if _answers_by_words(dialogue, act):
+    if answers_by_words(dialogue, act):
         return None
     match act:
         case acts.Undo():
@@ -278,152 +252,15 @@ def _general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | N
 
 
 def _recut(dialogue: Dialogue, act: acts.MoveCut | acts.Assign) -> Turn:
-    if dialogue.arm in ("moving", "checking"):
+    if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
     if dialogue.known.lesson is None:
         return tell(dialogue, line("error", "nothing_learned"))
-    index = structure.find(dialogue.known, act.subtask)
+    index = find(dialogue.known, act.subtask)
     if index is None:
-        return structure.unclear(dialogue, act.subtask)
-    name = structure.name_at(dialogue.known, index)
+        return unclear(dialogue, act.subtask)
+    name = name_at(dialogue.known, index)
     at_rest = replace(dialogue, arm="rest")
     if isinstance(act, acts.MoveCut):
         return reviewing.move_cut(at_rest, replace(act, subtask=name))
     return reviewing.assign(at_rest, act, name)
-
-
-def _answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
-    state = dialogue.state
-    if not isinstance(state, Introducing) or not isinstance(act, _WORDS_COUNT):
-        return False
-    if isinstance(act, acts.AddSubtask):
-        return state.asked == "subtask_name" and act.after is None and act.before is None
-    return state.asked in ("subtask_name", "actions")
-
-
-def _in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
-    """Answer what depends on the state."""
-    match dialogue.state:
-        case Introducing() as state:
-            return _introducing(dialogue, state, act, words)
-        case AwaitingShow():
-            return _awaiting(dialogue, act)
-        case Reviewing() as state:
-            return reviewing.review(dialogue, state, act)
-        case Ready() | Running() | Ran():
-            return _practicing(dialogue, act)
-        case Thinking():
-            return say(dialogue, line("told", "thinking"))
-        case _:
-            return dialogue, ()
-
-
-def _introducing(
-    dialogue: Dialogue, state: Introducing, act: acts.TeacherAct, words: Words
-) -> Turn:
-    value = _value(state, act, words)
-    if value is not None:
-        return _answered(dialogue, state, value)
-    match act:
-        case acts.Affirm() | acts.Approve() | acts.Start() if state.asked == "confirm_tree":
-            return introduced(_confirmed(dialogue))
-        case acts.Affirm() | acts.Approve() if state.named and state.asked == "subtask_count":
-            return _answered(dialogue, state, len(state.named))
-        case acts.Deny() if state.asked == "confirm_tree":
-            return say(dialogue, line("told", "change_tree"))
-        case acts.Deny():
-            return _none(dialogue, state)
-        case acts.Again() | acts.Start() | acts.Resume():
-            return tell(dialogue, line("error", "not_introduced"))
-        case _:
-            return tell(dialogue, line("error", "not_an_answer"))
-
-
-def _confirmed(dialogue: Dialogue) -> Dialogue:
-    known = replace(dialogue.known, tree_confirmed=True)
-    return changed(dialogue, "confirmed", known, clean=dialogue.clean)
-
-
-def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | None:
-    """Return what an act answers to the open question, if it does."""
-    if state.asked in ("confirm_tree", "pose"):
-        return None
-    if isinstance(act, acts.Inform):
-        return act.value
-    if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
-        return act.name
-    if isinstance(act, _WORDS_COUNT) and state.asked in ("subtask_name", "actions"):
-        return words.text
-    return None
-
-
-def _answered(dialogue: Dialogue, state: Introducing, value: Value) -> Turn:
-    found = answer(dialogue.known, state, value)
-    after = changed(dialogue, state.asked, found.known, clean=dialogue.clean)
-    said = say(after, *found.lines)[1]
-    if found.asks is not None:
-        return first(said, ask(replace(after, state=found.asks)))
-    return first(said, proceed(after))
-
-
-def _none(dialogue: Dialogue, state: Introducing) -> Turn:
-    """Take "no", "none" or "I do not know" as an answer where it is one."""
-    known = dialogue.known
-    match state.asked:
-        case "goal":
-            return proceed(changed(dialogue, "goal", replace(known, goal="")))
-        case "objects" if not state.index:
-            return proceed(changed(dialogue, "objects", replace(known, objects=())))
-        case "subtask_count" if not state.named:
-            return _answered(dialogue, state, 0)
-        case "actions":
-            return _answered(dialogue, state, structure.name_at(known, state.index))
-        case "pose":
-            left = replace(known, unplaced=(*known.unplaced, state.thing))
-            return proceed(changed(dialogue, "pose", left))
-        case _:
-            return tell(dialogue, line("told", "need_to_know"))
-
-
-def _awaiting(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
-    match act:
-        case acts.Start() | acts.Affirm() | acts.Resume() | acts.Again():
-            return showing.watch(dialogue)
-        case acts.Cue():
-            return showing.watch(dialogue)
-        case acts.Approve() if dialogue.known.demonstrations:
-            return introduced(dialogue)
-        case acts.Approve():
-            return showing.watch(dialogue)
-        case acts.Deny():
-            return say(dialogue, line("told", "take_your_time"))
-        case _:
-            return tell(dialogue, line("error", "not_now"))
-
-
-def _practicing(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
-    halted = isinstance(dialogue.state, Running) and dialogue.arm in ("paused", "stopped")
-    match act:
-        case acts.Start():
-            return practicing.start(dialogue)
-        case acts.Resume():
-            return practicing.resume(dialogue)
-        case acts.Again():
-            return practicing.again(dialogue)
-        case acts.Approve():
-            return practicing.satisfied(dialogue)
-        case acts.Affirm() if isinstance(dialogue.state, Ran):
-            return practicing.satisfied(dialogue)
-        case acts.Affirm() if isinstance(dialogue.state, Ready):
-            return practicing.start(dialogue)
-        case acts.Deny() if isinstance(dialogue.state, Ran):
-            unclean = replace(dialogue, clean=())
-            return say(unclean, line("told", "what_to_change"))
-        case acts.Deny() if isinstance(dialogue.state, Ready):
-            return say(dialogue, line("told", "take_your_time"))
-        case _ if halted:
-            return say(dialogue, line("told", "say_start"))
-        case acts.Affirm() | acts.Deny() | acts.Cue() | acts.KeyState():
-            return dialogue, ()
-        case _:
-            return tell(dialogue, line("error", "not_now"))

@@ -46,7 +46,7 @@ def kept(dialogue: Dialogue, event: Kept) -> Turn:
 
 def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Turn:
     """Read a kept task; without a name tell which there are."""
-    if dialogue.arm in ("moving", "checking"):
+    if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
     if not dialogue.saved:
         return tell(dialogue, line("error", "nothing_saved"))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import assert_never
 
-from assistant.dialogue import practicing, reviewing, showing
+from assistant.dialogue import practicing, reporting, reviewing, showing
 from assistant.dialogue.asking import ask, question, stage
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import (
@@ -62,9 +62,9 @@ def _answer(dialogue: Dialogue, event: Event) -> Turn:
         case Learned():
             return reviewing.learned(dialogue, event)
         case Checked():
-            return practicing.checked(dialogue, event)
+            return reporting.checked(dialogue, event)
         case ArmReported(report):
-            return practicing.reported(dialogue, report)
+            return reporting.reported(dialogue, report)
         case Halted():
             return practicing.halted(dialogue, event)
         case Arranged():

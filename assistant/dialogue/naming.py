@@ -63,7 +63,33 @@ def steps_in(value: Value, room: int) -> tuple[str, ...]:
         plain = all(len(part.split()) > 1 for part in parted)
         if len(parted) > len(pieces) and (len(parted) == room or len(pieces) > 1) and plain:
             pieces = parted
+        elif len(pieces) == 1:
+            pieces = _at_verbs(pieces[0], room) or pieces
     return tuple(filter(None, map(tidy, pieces)))
+
+
+def _at_verbs(text: str, room: int) -> list[str]:
+    """Return the steps of a list heard without commas, if just as many are missing."""
+    entries = (*hints("actions"), *hints("guesses"))
+    verbs = {phrase.split()[0] for entry in entries for phrase in entry["phrases"]}
+    pieces: list[list[str]] = []
+    for word in text.split():
+        if word.lower() in verbs or not pieces:
+            pieces.append([])
+        pieces[-1].append(word)
+    joints = {joint.strip() for joint in hints("joins")}
+    steps = [" ".join(piece[:-1] if piece[-1] in joints else piece) for piece in pieces]
+    return steps if len(steps) == room and all(len(step.split()) > 1 for step in steps) else []
+
+
+def as_said(value: str, text: str) -> str:
+    """Return an answer with the commas and capitals it was typed with, if they are there."""
+    wanted = re.findall(r"[\w'-]+", value.lower())
+    found = list(re.finditer(r"[\w'-]+", text))
+    for at in range(len(found) - len(wanted) + 1):
+        if [one.group().lower() for one in found[at : at + len(wanted)]] == wanted and wanted:
+            return text[found[at].start() : found[at + len(wanted) - 1].end()]
+    return value
 
 
 def name_and_steps(text: str) -> tuple[str, tuple[str, ...]]:

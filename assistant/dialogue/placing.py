@@ -25,7 +25,7 @@ from assistant.model.setup import Place, Triple
 
 def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -> Turn:
     """Put a thing where the teacher says; numbers that were not typed are confirmed first."""
-    if dialogue.arm in ("moving", "checking"):
+    if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
     known = dialogue.known
     thing = thing_named(known, act.object)

@@ -8,8 +8,8 @@ from typing import Any
 from assistant.dialogue.asking import ask, index_of, introduced, learn, tell
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
-from assistant.dialogue.naming import alike
 from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.naming import alike
 from assistant.dialogue.sketch import Sketch, at, inserted, names, put
 from assistant.dialogue.state import (
     AwaitingShow,

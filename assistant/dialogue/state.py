@@ -270,3 +270,9 @@ class Dialogue:
     leaving: bool = False
     comparing: bool = False
     learn_why: str = ""
+
+    @property
+    def busy(self) -> bool:
+        """Whether the arm moves or is about to; a look ahead of a run does not count."""
+        looking = self.run is not None and self.run.purpose == "look"
+        return self.arm == "moving" or (self.arm == "checking" and not looking)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 from typing import Any
 
@@ -16,6 +16,23 @@ from assistant.model.task import Action, Condition, Index
 from assistant.model.teacher_acts import Asked
 
 Turn = tuple[Dialogue, tuple[Effect, ...]]
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """How something was said.
+
+    Parameters
+    ----------
+    text : str
+    by_voice : bool
+    sure : bool
+        The teacher has confirmed it.
+    """
+
+    text: str
+    by_voice: bool = False
+    sure: bool = False
 
 
 def line(

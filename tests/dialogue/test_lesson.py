@@ -168,7 +168,7 @@ def test_going_back_keeps_everything() -> None:
     teacher = Lessons().ready().run()
     known = teacher.dialogue.known
     for stage in ("introduction", "demonstration", "learning", "practice"):
-        teacher.hear(acts.GoBack(stage))  # type: ignore[arg-type]
+        teacher.hear(acts.GoBack(stage))
         assert public_view(teacher.dialogue)["stage"] == stage
         assert teacher.dialogue.known.lesson is known.lesson
         assert teacher.dialogue.known.demonstrations == known.demonstrations

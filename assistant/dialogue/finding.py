@@ -1,0 +1,106 @@
+"""Which step of the tree a teacher's words refer to; where that is unclear, the robot asks."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import fields, replace
+from typing import Any
+
+from assistant.dialogue.asking import ask, settle, tell
+from assistant.dialogue.introduction import all_understood, with_roles
+from assistant.dialogue.sketch import (
+    Sketch,
+    at,
+    names,
+    walk,
+)
+from assistant.dialogue.state import Dialogue, Knowledge, Pending
+from assistant.dialogue.turn import Turn, changed, line
+from assistant.language.hints import hints
+from assistant.model.robot_acts import RobotAct
+from assistant.model.task import Index
+from assistant.model.teacher_acts import TeacherAct, Where
+
+
+def find(known: Knowledge, text: str) -> Index | None:
+    """Return the position of the node a text refers to, or None if it is not clear which."""
+    hits = candidates(known, text)
+    return hits[0] if len(hits) == 1 else None
+
+
+def find_whole(known: Knowledge, text: str) -> Index | None:
+    """Return the position of a node; of several that fit, the one the others are part of."""
+    hits = candidates(known, text)
+    whole = [one for one in hits if all(other[: len(one)] == one for other in hits)]
+    return whole[0] if whole else None
+
+
+def candidates(known: Knowledge, text: str) -> tuple[Index, ...]:
+    """Return the positions of the nodes a text may refer to; the closest kind of likeness wins."""
+    wanted = _plain(text)
+    nodes = [(index, _plain(node.name)) for index, node in walk(known.root) if index and node.name]
+    for fits in (_same, _inside, _most_words):
+        hits = tuple(index for index, name in nodes if fits(wanted, name))
+        if hits:
+            return hits
+    return ()
+
+
+def _plain(text: str) -> str:
+    return " ".join(re.findall(r"\w+", text.lower()))
+
+
+def _same(wanted: str, name: str) -> bool:
+    return wanted == name
+
+
+def _inside(wanted: str, name: str) -> bool:
+    return bool(wanted) and (wanted in name or name in wanted)
+
+
+def _most_words(wanted: str, name: str) -> bool:
+    asked = set(wanted.split()) - set(hints("fillers"))
+    return bool(asked) and asked <= {part for word in name.split() for part in _forms(word)}
+
+
+def _forms(word: str) -> Sequence[str]:
+    stem = word.removesuffix("e")
+    return (word, f"{word}s", f"{stem}ing", f"{word}{word[-1]}ing")
+
+
+def unclear(dialogue: Dialogue, name: str, act: TeacherAct | None = None) -> Turn:
+    """Ask which step was meant, or tell that none is called that, with the names there are."""
+    known = dialogue.known
+    hits = [at(known.root, index).name for index in candidates(known, name)]
+    if len(hits) > 1 and act is not None:
+        question = line("ask", "which", asked="which", names=hits)
+        pending = Pending("which", question, (act,), name)
+        return ask(replace(dialogue, pending=pending))
+    told = line("error", "no_such_step", name=name, names=list(names(known.root)))
+    return tell(dialogue, told)
+
+
+def with_name(act: TeacherAct, old: str, new: str) -> TeacherAct:
+    """Return an act that refers to a step by another name."""
+    told: dict[str, Any] = {}
+    for field in fields(act):
+        value = getattr(act, field.name)
+        if isinstance(value, Where) and value.subtask == old:
+            told[field.name] = replace(value, subtask=new)
+        elif isinstance(value, tuple):
+            told[field.name] = tuple(new if one == old else one for one in value)
+        elif value == old:
+            told[field.name] = new
+    return replace(act, **told)
+
+
+def edited(dialogue: Dialogue, label: str, root: Sketch, told: RobotAct) -> Turn:
+    """Keep a changed tree and tell it."""
+    known = all_understood(with_roles(replace(dialogue.known, root=root)))
+    return settle(changed(dialogue, label, known), told)
+
+
+def name_at(known: Knowledge, index: Index) -> str:
+    """Return the name of the node at a position."""
+    return at(known.root, index).name

@@ -1,0 +1,170 @@
+"""What an act means in the state the dialogue is in: an answer, a start, a yes or a no."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue import agreeing, practicing, reviewing, showing
+from assistant.dialogue.answers import answer
+from assistant.dialogue.asking import ask, introduced, proceed, tell
+from assistant.dialogue.finding import find, name_at
+from assistant.dialogue.naming import Value, as_said
+from assistant.dialogue.state import (
+    AwaitingShow,
+    Dialogue,
+    Introducing,
+    Ran,
+    Ready,
+    Reviewing,
+    Running,
+    Thinking,
+)
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.model import teacher_acts as acts
+
+_WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.Rename)
+"""Acts whose words answer a question for a name or an action: "move up" is a name there."""
+
+
+def answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
+    """Whether an act is only words here: "move up" names a step that has no name yet."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or not isinstance(act, _WORDS_COUNT):
+        return False
+    if isinstance(act, acts.AddSubtask):
+        return state.asked == "subtask_name" and act.after is None and act.before is None
+    if isinstance(act, acts.Rename):
+        # "it is called pick and place" names what has no name yet.
+        unnamed = find(dialogue.known, act.old) is None
+        return unnamed and state.asked in ("task_name", "subtask_name")
+    return state.asked in ("subtask_name", "actions")
+
+
+def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
+    """Answer what depends on the state."""
+    match dialogue.state:
+        case Introducing() as state:
+            return _introducing(dialogue, state, act, words)
+        case AwaitingShow():
+            return _awaiting(dialogue, act)
+        case Reviewing() as state:
+            return reviewing.review(dialogue, state, act)
+        case Ready() | Running() | Ran():
+            return _practicing(dialogue, act)
+        case Thinking():
+            return say(dialogue, line("told", "thinking"))
+        case _:
+            return dialogue, ()
+
+
+def _introducing(
+    dialogue: Dialogue, state: Introducing, act: acts.TeacherAct, words: Words
+) -> Turn:
+    value = _value(state, act, words)
+    if value is not None:
+        return _answered(dialogue, state, value)
+    match act:
+        case acts.Affirm() | acts.Approve() | acts.Start() if state.asked == "confirm_tree":
+            return introduced(_confirmed(dialogue))
+        case acts.Affirm() | acts.Approve() if state.named and state.asked == "subtask_count":
+            return _answered(dialogue, state, len(state.named))
+        case acts.Deny() if state.asked == "confirm_tree":
+            return say(dialogue, line("told", "change_tree"))
+        case acts.Deny():
+            return _none(dialogue, state)
+        case acts.Again() | acts.Start() | acts.Resume():
+            return tell(dialogue, line("error", "not_introduced"))
+        case _:
+            return tell(dialogue, line("error", "not_an_answer"))
+
+
+def _confirmed(dialogue: Dialogue) -> Dialogue:
+    known = replace(dialogue.known, tree_confirmed=True)
+    return changed(dialogue, "confirmed", known, clean=dialogue.clean)
+
+
+def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | None:
+    """Return what an act answers to the open question, if it does."""
+    if state.asked in ("confirm_tree", "pose"):
+        return None
+    if isinstance(act, acts.Inform):
+        return as_said(act.value, words.text) if isinstance(act.value, str) else act.value
+    if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
+        return act.name
+    if isinstance(act, acts.Rename):
+        return act.new if state.asked in ("task_name", "subtask_name") else None
+    if isinstance(act, _WORDS_COUNT) and state.asked in ("subtask_name", "actions"):
+        return words.text
+    return None
+
+
+def _answered(dialogue: Dialogue, state: Introducing, value: Value) -> Turn:
+    found = answer(dialogue.known, state, value)
+    after = changed(dialogue, state.asked, found.known, clean=dialogue.clean)
+    said = say(after, *found.lines)[1]
+    if found.asks is not None:
+        return first(said, ask(replace(after, state=found.asks)))
+    return first(said, proceed(after))
+
+
+def _none(dialogue: Dialogue, state: Introducing) -> Turn:
+    """Take "no", "none" or "I do not know" as an answer where it is one."""
+    known = dialogue.known
+    match state.asked:
+        case "goal":
+            return proceed(changed(dialogue, "goal", replace(known, goal="")))
+        case "objects" if not state.index:
+            return proceed(changed(dialogue, "objects", replace(known, objects=())))
+        case "subtask_count" if not state.named:
+            return _answered(dialogue, state, 0)
+        case "actions":
+            return _answered(dialogue, state, name_at(known, state.index))
+        case "pose":
+            left = replace(known, unplaced=(*known.unplaced, state.thing))
+            return proceed(changed(dialogue, "pose", left))
+        case _:
+            return tell(dialogue, line("told", "need_to_know"))
+
+
+def _awaiting(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
+    match act:
+        case acts.Start() | acts.Affirm() | acts.Resume() | acts.Again():
+            return showing.watch(dialogue)
+        case acts.Cue():
+            return showing.watch(dialogue)
+        case acts.Approve() if dialogue.known.demonstrations:
+            return introduced(dialogue)
+        case acts.Approve():
+            return showing.watch(dialogue)
+        case acts.Deny():
+            return say(dialogue, line("told", "take_your_time"))
+        case _:
+            return tell(dialogue, line("error", "not_now"))
+
+
+def _practicing(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
+    halted = isinstance(dialogue.state, Running) and dialogue.arm in ("paused", "stopped")
+    match act:
+        case acts.Start():
+            return practicing.start(dialogue)
+        case acts.Resume():
+            return practicing.resume(dialogue)
+        case acts.Again():
+            return practicing.again(dialogue)
+        case acts.Approve():
+            return agreeing.satisfied(dialogue)
+        case acts.Affirm() if isinstance(dialogue.state, Ran):
+            return agreeing.satisfied(dialogue)
+        case acts.Affirm() if isinstance(dialogue.state, Ready):
+            return practicing.start(dialogue)
+        case acts.Deny() if isinstance(dialogue.state, Ran):
+            unclean = replace(dialogue, clean=())
+            return say(unclean, line("told", "what_to_change"))
+        case acts.Deny() if isinstance(dialogue.state, Ready):
+            return say(dialogue, line("told", "take_your_time"))
+        case _ if halted:
+            return say(dialogue, line("told", "say_start"))
+        case acts.Affirm() | acts.Deny() | acts.Cue() | acts.KeyState():
+            return dialogue, ()
+        case _:
+            return tell(dialogue, line("error", "not_now"))

@@ -1,0 +1,229 @@
+"""What checks and the arm tell: refusals, announcements, perceived changes, the end (III-D b)."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from assistant.dialogue import reviewing
+from assistant.dialogue.asking import PRACTICE, ask, index_of, tell
+from assistant.dialogue.conditions import expected, missing, plain_conditions
+from assistant.dialogue.effects import GoOn, Move
+from assistant.dialogue.events import Checked
+from assistant.dialogue.practicing import stopped
+from assistant.dialogue.state import (
+    Dialogue,
+    Ran,
+    Ready,
+    Run,
+    Running,
+    RunResult,
+)
+from assistant.dialogue.turn import (
+    Turn,
+    first,
+    line,
+    plain_action,
+    say,
+    then,
+)
+from assistant.model.motion import ArmReport, Refusal
+from assistant.model.robot_acts import About, RobotAct
+from assistant.model.task import Primitive, primitives
+
+NAMED = ("no_setup",)
+"""Refusals that have a sentence of their own."""
+
+
+def checked(dialogue: Dialogue, event: Checked) -> Turn:
+    """Move only now, and only if this very run was accepted."""
+    run = dialogue.run
+    if event.refusal is not None:
+        return refused(dialogue, event.refusal)
+    if dialogue.arm != "checking" or run is None or event.setup != run.setup:
+        return dialogue, ()
+    if run.purpose == "look":
+        return ask(replace(dialogue, state=Ready(), arm="rest"))
+    known = dialogue.known
+    moving = replace(
+        dialogue, state=Running(), arm="moving", run=replace(run, checked=True), refusal=None
+    )
+    slow = run.pace == "slow"
+    speed = PRACTICE.slow if slow else PRACTICE.normal
+    effect = Move(known.task, run.setup, speed, pause_before_primitives=slow, anew=run.anew)
+    told = [line("report", "detour", note=event.note)] if event.note else []
+    if slow and not run.anew:
+        told.insert(0, line("report", "starting_slow", about=About(known.name), speed=speed))
+    return then(say(moving, *told), effect)
+
+
+def refused(dialogue: Dialogue, refusal: Refusal) -> Turn:
+    """Tell what cannot be done, by how much, and what would help; nothing moves."""
+    told = refusal_line("refuse", refusal)
+    kept = replace(dialogue, refusal=refusal)
+    if dialogue.run is not None and dialogue.run.purpose == "replay":
+        return first(say(kept, told)[1], reviewing.replayed(kept))
+    if dialogue.arm in ("moving", "paused", "stopped") and not _at_rest_state(dialogue):
+        return say(replace(kept, arm="stopped"), told)
+    if isinstance(dialogue.state, Running | Ready | Ran):
+        return tell(replace(kept, state=Ready(), arm="rest"), told)
+    return tell(kept, told)
+
+
+def _at_rest_state(dialogue: Dialogue) -> bool:
+    return not isinstance(dialogue.state, Running)
+
+
+def refusal_line(act: Any, refusal: Refusal) -> RobotAct:
+    """Return a line with everything a refusal tells."""
+    topic = refusal.reason if refusal.what or not refusal.where else f"{refusal.reason}.only"
+    if refusal.where in NAMED:
+        topic = refusal.where
+    return RobotAct(
+        act,
+        topic,
+        slots=_refusal_slots(refusal),
+    )
+
+
+def _refusal_slots(refusal: Refusal) -> dict[str, Any]:
+    return dict(
+        reason=refusal.reason,
+        where=refusal.where,
+        what=refusal.what,
+        amount=round(refusal.amount, 1) or None,
+        unit=refusal.unit,
+        hint=refusal.hint,
+    )
+
+
+def reported(dialogue: Dialogue, report: ArmReport) -> Turn:
+    """Take what the arm tells of its motion."""
+    run = dialogue.run
+    if run is None or dialogue.arm == "rest":
+        return dialogue, ()
+    match report.kind:
+        case "primitive":
+            return _primitive(dialogue, run, report)
+        case "perceived":
+            return _perceived(dialogue, run, report)
+        case "unmet":
+            return _unmet(dialogue, report)
+        case "halted":
+            return _halted(dialogue, run, report)
+        case _:
+            return _finished(dialogue, run, report)
+
+
+def _primitive(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
+    at_work = replace(dialogue, run=replace(run, primitive_at=report.primitive_at))
+    if run.pace != "slow" or dialogue.arm != "moving":
+        return at_work, ()
+    leaf = leaf_at(dialogue, report.primitive_at)
+    said = () if leaf is None else say(at_work, announcement(dialogue, leaf))[1]
+    # A replay does not wait before its primitives; going on does no harm there.
+    return at_work, (*said, GoOn()) if run.purpose == "practice" else said
+
+
+def leaf_at(dialogue: Dialogue, position: int) -> Primitive | None:
+    """Return the primitive at a position among the tree's leaves."""
+    leaves = primitives(dialogue.known.task.tree)
+    return leaves[position] if 0 <= position < len(leaves) else None
+
+
+def announcement(dialogue: Dialogue, leaf: Primitive) -> RobotAct:
+    """Return what is told before a primitive: name, conditions, action, expected changes."""
+    known = dialogue.known
+    before, until = expected(known, leaf)
+    changes = tuple(one for one in until if one not in before and one.kind != "docked")
+    return line(
+        "announce",
+        "primitive",
+        about=About(leaf.name, index_of(known, leaf.name)),
+        name=leaf.name,
+        before=plain_conditions(before),
+        until=plain_conditions(until),
+        action=plain_action(leaf.action),
+        expect=plain_conditions(changes),
+    )
+
+
+def _perceived(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
+    held = {"held": report.object, "on": ""}.get(report.text, run.held)
+    seen = (*run.perceived, (report.text, report.object))
+    after = replace(dialogue, run=replace(run, perceived=seen, held=held))
+    if run.pace != "slow" or dialogue.arm != "moving":
+        return after, ()
+    leaf = leaf_at(dialogue, run.primitive_at)
+    about = About(leaf.name, index_of(dialogue.known, leaf.name)) if leaf else None
+    told = line(
+        "perceived",
+        report.text or "change",
+        about=about,
+        object=report.object,
+        target=report.target,
+        at_s=round(report.at_s, 1),
+    )
+    return say(after, told)
+
+
+def _unmet(dialogue: Dialogue, report: ArmReport) -> Turn:
+    if dialogue.arm not in ("moving", "paused"):
+        return dialogue, ()
+    leaf = leaf_at(dialogue, report.primitive_at)
+    name = leaf.name if leaf else dialogue.known.name
+    told = line(
+        "stopped",
+        f"unmet.{report.text}",
+        about=About(name, index_of(dialogue.known, name)),
+        name=name,
+        condition=report.text,
+        object=report.object,
+        target=report.target,
+    )
+    return say(replace(dialogue, arm="stopped", clean=()), told)
+
+
+def _halted(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
+    held = report.object or run.held
+    known_run = replace(run, held=held, height_mm=report.height_mm)
+    after = replace(dialogue, run=known_run)
+    if dialogue.arm != "moving":
+        return after, ()
+    return stopped(after, report.text)
+
+
+def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
+    if dialogue.arm != "moving":
+        return dialogue, ()
+    if run.purpose == "replay":
+        return reviewing.replayed(dialogue)
+    lacking = missing(dialogue.known, run)
+    result = RunResult(run.setup, run.pace, run.corrected, not lacking, lacking, report.alignments)
+    clean = (*dialogue.clean, result) if result.complete and not run.corrected else ()
+    after = replace(
+        dialogue,
+        state=Ran(),
+        arm="rest",
+        runs=(*dialogue.runs, result),
+        clean=clean,
+        run=replace(run, checked=False),
+    )
+    told = line(
+        "done",
+        "run",
+        about=About(dialogue.known.name),
+        setup=run.setup.name,
+        duration_s=round(report.at_s, 1),
+        alignments=[_plain(one) for one in report.alignments],
+    )
+    return tell(after, told)
+
+
+def _plain(alignment: Any) -> dict[str, Any]:
+    return {
+        "object": alignment.object,
+        "target": alignment.target,
+        "distance_mm": round(alignment.distance_mm, 3),
+        "angle_deg": round(alignment.angle_deg, 3),
+    }
