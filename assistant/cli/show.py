@@ -2,7 +2,7 @@
 
 example:
   assistant show tasks/pick_and_place.yaml
-  assistant show demonstration.yaml
+  assistant show tasks/demonstrations/pick_and_place.yaml --figures figures
 """
 
 from __future__ import annotations
@@ -11,9 +11,13 @@ import argparse
 import json
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from assistant.cli import DONE
 from assistant.errors import BadInput
+
+if TYPE_CHECKING:
+    from assistant.files.kinds import Value
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -43,5 +47,25 @@ def run(args: argparse.Namespace) -> int:
 
         terminal().print(view(known.value))
     if args.figures:
-        raise BadInput.one("--figures", "is not built yet", "leave it out")
+        for drawn in _draw(known.value, args.figures):
+            print(f"wrote {drawn}", file=sys.stderr)
     return DONE
+
+
+def _draw(value: Value, folder: Path) -> tuple[Path, ...]:
+    from assistant.model.demonstration import Demonstration, Recording
+    from assistant.model.task import Task
+    from assistant.shells.figures import write_figures
+    from assistant.shells.recording_figure import write_recording_figure
+
+    match value:
+        case Task():
+            return write_figures(value, folder)
+        case Demonstration():
+            spoken = (*value.cues, *value.key_states)
+            return write_recording_figure(value.recording, spoken, folder)
+        case Recording():
+            return write_recording_figure(value, (), folder)
+        case _:
+            right = "a learned task, a demonstration or a recording"
+            raise BadInput.one("--figures", "there are no figures of such a file", right)

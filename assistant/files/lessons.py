@@ -180,7 +180,9 @@ def _point_values(point: SegmentationPoint) -> dict[str, Any]:
     values: dict[str, Any] = {"at_s": _exact(point.at_s), "confidence": _exact(point.confidence)}
     if point.votes:
         values["votes"] = {name: _exact(vote) for name, vote in point.votes.items()}
-    return {**values, "kept": point.kept, "internal": point.internal}
+    if not point.kept:
+        values["kept"] = False
+    return {**values, "internal": True} if point.internal else values
 
 
 def _episode_values(episode: Episode) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from assistant.files.wording import (
     action_words,
@@ -56,7 +57,8 @@ def _parts(subtask: Subtask, depth: int) -> Iterator[str]:
 def _lesson(lesson: Lesson) -> Iterator[str]:
     cuts = lesson.segmentation
     yield "\n## What was learned\n"
-    yield f"From {_plain(', '.join(lesson.sources) or 'a demonstration')}."
+    sources = ", ".join(Path(source).name for source in lesson.sources)
+    yield f"From {_plain(sources or 'a demonstration')}."
     if cuts.episodes:
         rows = [
             (

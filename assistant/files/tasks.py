@@ -24,6 +24,7 @@ from assistant.plain_yaml import Document, read_file, write
 
 FORMAT = "task/1"
 SPREAD = ("tree", "parts", "rows", "points", "episodes", "docking", "feedback", "learned")
+ROWS = ("points", "episodes")
 
 
 class TaskFile(Form):
@@ -69,7 +70,7 @@ def write_task(task: Task, path: Path) -> None:
 
 def task_text(task: Task) -> str:
     """Return the text of a task/1 file."""
-    return write(task_values(task), spread=SPREAD)
+    return write(task_values(task), spread=SPREAD, rows=ROWS)
 
 
 def task_values(task: Task) -> dict[str, Any]:

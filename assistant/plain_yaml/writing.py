@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from assistant.plain_yaml.scalars import scalar_text
@@ -15,7 +16,9 @@ from assistant.plain_yaml.scalars import scalar_text
 WIDTH = 100
 
 
-def write(value: Mapping[str, Any], *, spread: Collection[str] = ()) -> str:
+def write(
+    value: Mapping[str, Any], *, spread: Collection[str] = (), rows: Collection[str] = ()
+) -> str:
     """Return the YAML text of a mapping.
 
     Parameters
@@ -23,7 +26,11 @@ def write(value: Mapping[str, Any], *, spread: Collection[str] = ()) -> str:
     value : mapping of text to plain values
     spread : names of keys
         Whose values go over several lines even if they would fit on one.
+    rows : names of keys
+        Whose lists have each item on a line of its own, however long.
     """
+    if rows:
+        value = _with_rows(value, frozenset(rows))
     if not value:
         return "{}\n"
     return "".join(f"{line}\n" for line in _mapping(value, 0, frozenset(spread)))
@@ -39,6 +46,24 @@ def tidy(number: float) -> float | int:
     if not math.isfinite(number) or abs(number) >= 1e15 or number != int(number):
         return number
     return number if number == 0 and math.copysign(1.0, number) < 0 else int(number)
+
+
+@dataclass(frozen=True, slots=True)
+class _Row:
+    """A value that stays on its line."""
+
+    value: Any
+
+
+def _with_rows(value: Any, keys: frozenset[str]) -> Any:
+    if not isinstance(value, Mapping):
+        return value
+    return {
+        key: [_Row(item) for item in part]
+        if key in keys and _is_list(part)
+        else _with_rows(part, keys)
+        for key, part in value.items()
+    }
 
 
 def _flow(value: Any) -> str:
@@ -80,6 +105,9 @@ def _mapping(value: Mapping[str, Any], indent: int, spread: frozenset[str]) -> I
 def _sequence(value: Sequence[Any], indent: int, spread: frozenset[str]) -> Iterator[str]:
     pad = " " * indent
     for part in value:
+        if isinstance(part, _Row):
+            yield f"{pad}- {_flow(part.value)}"
+            continue
         single = isinstance(part, Mapping) and len(part) == 1
         line = None if single else _on_one_line(f"{pad}-", part, spread=False, inside=spread)
         if line is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 
 from rich.console import Group, RenderableType
 from rich.markup import escape
@@ -78,7 +79,8 @@ def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
 
 
 def _summary(lesson: Lesson) -> str:
-    told = [f"learned from {', '.join(lesson.sources) or 'a demonstration'}"]
+    sources = ", ".join(Path(source).name for source in lesson.sources)
+    told = [f"learned from {sources or 'a demonstration'}"]
     if lesson.path is not None:
         told.append(f"path of {lesson.path.t_s[-1] - lesson.path.t_s[0]:.1f} s")
         told.append(f"{len(lesson.path.t_s)} samples")

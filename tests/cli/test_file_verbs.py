@@ -138,6 +138,18 @@ def test_show_plays_setups_scenes_and_demonstrations(capsys: pytest.CaptureFixtu
             assert line in out, (name, line)
 
 
+def test_show_draws_what_can_be_drawn(capsys: pytest.CaptureFixture[str]) -> None:
+    write_demonstration(examples.demonstration(), Path("d.yaml"))
+    write_setups([Setup("a")], Path("s.yaml"))
+    for name in ("d.yaml", "d.csv"):
+        status, _, err = run(capsys, "show", name, "--figures", "drawn")
+        assert (status, err.splitlines()[-1]) == (0, "wrote drawn/recording.png")
+    assert Path("drawn/recording.png").read_bytes().startswith(b"\x89PNG")
+    status, _, err = run(capsys, "show", "s.yaml", "--figures", "drawn")
+    assert (status, "no figures of such a file" in err) == (2, True)
+    assert run(capsys, "show", "d.csv", "--figures", "d.csv/x")[0] == 2
+
+
 def test_show_json_gives_the_values(capsys: pytest.CaptureFixture[str]) -> None:
     write_demonstration(examples.demonstration(), Path("d.yaml"))
     write_transcript(PLAY, Path("p.yaml"))

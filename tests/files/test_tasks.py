@@ -14,6 +14,7 @@ from assistant.files.shipped import shipped
 from assistant.files.tasks import read_task, task_text, write_task
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation
+from assistant.model.task import TaskObject
 from tests.files import examples
 from tests.files.same import same
 
@@ -154,6 +155,15 @@ def test_rows_that_are_short_or_run_backward_are_told(tmp_path: Path) -> None:
     lines[first] = lines[first].rsplit(",", 1)[0] + "]"
     with pytest.raises(BadInput, match=rf":{first + 1}: 9 numbers; 10 as in columns"):
         read_task(written(tmp_path, "\n".join(lines)))
+
+
+def test_objects_may_be_named_like_keys(tmp_path: Path) -> None:
+    names = ("points", "tree", "parts", "episodes", "learned", "yes", "null", "7", "a: b")
+    plain = examples.task(examples.lesson())
+    added = tuple(TaskObject(name, "object") for name in names)
+    task = replace(plain, objects=(*plain.objects, *added))
+    write_task(task, tmp_path / "t.yaml")
+    assert same(read_task(tmp_path / "t.yaml"), task)
 
 
 def test_empty_and_double_files_are_told(tmp_path: Path) -> None:

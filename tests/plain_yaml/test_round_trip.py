@@ -114,5 +114,12 @@ def test_whole_numbers_are_tidied_and_nothing_else_is() -> None:
     assert str(tidy(1e20)) == "1e+20"
 
 
+def test_rows_stay_on_their_lines_however_long() -> None:
+    row = {"name": "x" * 90, "votes": {"gripper": 1.0, "speed": 0.5}}
+    text = write({"points": [row, row], "inner": {"points": {"a": 1}}}, rows=["points"])
+    assert text.count("\n") == 4
+    assert read_text(text)[0].value == {"points": [row, row], "inner": {"points": {"a": 1}}}
+
+
 def test_empty_mapping_is_a_mapping() -> None:
     assert read_text(write({}))[0].value == {}
