@@ -70,9 +70,13 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     sentence = best_sentence(words, hearing)
     if sentence is not None:
         yield sentence
+        if sentence.score >= SURE:
+            return
     located = located_correction(words, hearing)
     if located is not None:
         yield located
+    if sentence is not None and sentence.score >= LIKELY:
+        return
     texts = texts_of(words)
     pose = read_pose(texts, [w.broken for w in words], hearing.listening, hearing.book)
     if pose is not None:
@@ -197,11 +201,14 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
             value, trust = _names(part, hearing) if several else _name(part, limit, hearing)
             if value is None or (start == 0 and value in _NOBODY):
                 return None
+            if isinstance(value, str) and value.startswith(("it ", "them ", "that ")):
+                return None
             slots[name] = value
             score = min(score, trust)
     if sentence.extra == "text":
         slots["text"] = said(words)
-    if any(text in hearing.book.chat for _, s, e in bound for text in texts_of(words[s:e])):
+    spoken_of = (text for _, s, e in bound for text in texts_of(words[s:e]))
+    if sentence.act != "unknown" and any(text in hearing.book.chat for text in spoken_of):
         return None
     act = _act(sentence, slots)
     return None if act is None else Parse((act,), score)
@@ -342,6 +349,8 @@ def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Heari
     subject = _place(place, hearing)
     weak = phrase in (("at",), ("in",), ("for",), ("as",), ("once",), ("following",))
     if not subject or len(subject) > LONGEST_NAME:
+        return None
+    if not told or told[-1].text in ("to", "of", "by", "and", "from"):
         return None
     if told[0].text in ("it", "the", "a", "an", "that", "and", "to") and not told[0].broken:
         return None

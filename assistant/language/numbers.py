@@ -43,7 +43,11 @@ class NumberWords:
         if at < len(words) and words[at] in self.minus:
             found = self.number(words, at + 1)
             return None if found is None else (-found[0], found[1])
-        found = self._fraction_of(words, at) or self._whole(words, at)
+        phrase = next(
+            (p for p in self.also if len(p) > 1 and tuple(words[at : at + len(p)]) == p), None
+        )
+        found = None if phrase else self._fraction_of(words, at)
+        found = found or self._whole(words, at)
         return None if found is None else self._and_fraction(words, *found)
 
     def quantity(self, words: Sequence[str], at: int) -> Quantity | None:

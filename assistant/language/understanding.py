@@ -25,7 +25,8 @@ from assistant.language.naming import known_name
 from assistant.language.phrasebook import Phrasebook, phrasebook
 from assistant.language.repair import homophones, respelled, without_slips
 from assistant.language.similarity import likest
-from assistant.language.words import Words, said, spoken, words_of
+from assistant.language.stopping import has_stop_word
+from assistant.language.words import Words, plain, said, spoken, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
     ACTS,
@@ -53,6 +54,7 @@ from assistant.model.teacher_acts import (
     SetPose,
     Split,
     Start,
+    Stop,
     TeacherAct,
     Translate,
     Unknown,
@@ -91,6 +93,8 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
         Name of the phrasebook.
     """
     book = phrasebook(language)
+    if listening.moving and has_stop_word(text, language):
+        return Understanding((Stop(),), 1.0, plain(text))
     hearing = Hearing(book, listening, language)
     heard_words = words_of(text, book.contractions)
     if 0 < len(heard_words) <= 3:
@@ -175,9 +179,12 @@ def _command(words: Words, hearing: Hearing) -> Parse | None:
     whole = clause(words, hearing)
     if whole is not None and whole.score >= LIKELY:
         return _one(whole, hearing.listening)
-    for other in (corrected(words, hearing), compound(words, hearing)):
-        if other is not None and (whole is None or other.score > whole.score):
-            whole = other
+    for other in (corrected, compound):
+        found = other(words, hearing)
+        if found is not None and (whole is None or found.score > whole.score):
+            whole = found
+        if whole is not None and whole.score >= LIKELY:
+            break
     return None if whole is None else _one(whole, hearing.listening)
 
 
@@ -188,6 +195,9 @@ def _one(parse: Parse, listening: Listening) -> Parse:
         saying_go = listening.asked == "ready" and isinstance(acts[1], Start)
         if listening.asked is None or saying_go:
             acts = acts[1:]
+    acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
+    if all(isinstance(act, Affirm | Approve) for act in acts):
+        acts = acts[:1] if listening.asked else acts[-1:]
     unique = tuple(dict.fromkeys(acts))
     return Parse(unique, parse.score)
 

@@ -64,7 +64,7 @@ def _act(told: str) -> dict[str, Any]:
 def _value(act: str, key: str, value: str) -> Any:
     listed = key in ("position_mm", "rpy_deg", "by_mm", "subtasks")
     if listed or (act == "inform" and ", " in value):
-        return [_scalar(part.strip()) for part in value.split(",")]
+        return [_scalar(part.strip()) for part in value.split(",") if part.strip()]
     return _scalar(value)
 
 
@@ -129,7 +129,11 @@ def main() -> None:
     began = time.perf_counter()
     phrasebook()
     print(f"loading {time.perf_counter() - began:.2f} s")
-    for name in [one for one in ("tuning", "unseen") if one in sys.argv] or ("tuning", "unseen"):
+    for name in [one for one in ("tuning", "unseen", "unseen2") if one in sys.argv] or (
+        "tuning",
+        "unseen",
+        "unseen2",
+    ):
         report(name, f"{name}.yaml", show=show)
     assert Unknown() is not None
 
