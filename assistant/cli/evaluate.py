@@ -72,7 +72,7 @@ def _noise(text: str) -> tuple[float, float]:
 
 def run(args: argparse.Namespace) -> int:
     """Practice every setup that is not finished yet, then tell how it went."""
-    from assistant.cli.evaluation import Evaluation, Finished, evaluated, told
+    from assistant.cli.evaluation import Evaluation, Finished, Worker, evaluated, summary, told
 
     wanted = Evaluation(
         str(args.learned),
@@ -84,6 +84,8 @@ def run(args: argparse.Namespace) -> int:
         args.noise,
         not args.no_sensor,
     )
+    # What is wrong with the task is told before anything is kept.
+    Worker(wanted)
     finished = Finished.of(wanted, args.resume)
     workers = min(args.workers or os.cpu_count() or 1, args.setups)
     results = evaluated(wanted, finished, workers, lambda line: print(line, file=sys.stderr))
@@ -91,13 +93,7 @@ def run(args: argparse.Namespace) -> int:
     if args.json:
         print(json.dumps(answer))
     else:
-        print(_for_people(answer))
+        print(summary(answer))
     if args.resume is None:
         finished.forget()
     return DONE
-
-
-def _for_people(answer: dict[str, object]) -> str:
-    from assistant.cli.evaluation import summary
-
-    return summary(answer)

@@ -157,8 +157,6 @@ def _results(wanted: Evaluation, numbers: Sequence[int], workers: int) -> Iterat
         return
     import multiprocessing
 
-    # The task is read here first, so that what is wrong with it is told once.
-    Worker(wanted)
     context = multiprocessing.get_context("spawn")
     with context.Pool(workers, _begin, (wanted,)) as pool:
         yield from pool.imap_unordered(_practice, numbers)
