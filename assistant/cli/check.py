@@ -18,17 +18,28 @@ from typing import Any
 from assistant.cli import BAD_INPUT, DONE
 from assistant.errors import BadInput, Problem
 
+KINDS = ("task", "setup", "scene", "demonstration", "transcript")
+
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the verb takes."""
-    parser.add_argument("files", nargs="+", type=Path, metavar="FILE", help="or a folder")
+    parser.add_argument("files", nargs="*", type=Path, metavar="FILE", help="or a folder")
+    parser.add_argument(
+        "--schema", choices=KINDS, help="print the JSON Schema of a format, for your editor"
+    )
     parser.add_argument("--json", action="store_true", help="one JSON line at the end")
 
 
 def run(args: argparse.Namespace) -> int:
     """Check each file; the status is 2 if any has a problem."""
+    if args.schema:
+        from assistant.files.schemas import schema_path
+
+        print(schema_path(args.schema).read_text(encoding="utf-8"), end="")
+    elif not args.files:
+        raise BadInput.one("assistant check", "which files?", "name files or folders")
     results = [_checked(path) for told in args.files for path in _files(told)]
-    if args.json:
+    if args.json and args.files:
         print(json.dumps({"files": results}))
     else:
         for result in results:

@@ -9,6 +9,8 @@ from xml.etree import ElementTree
 from assistant.files.wording import action_words, conditions_words
 from assistant.model.task import Condition, Primitive, Subtask, Task, walk
 
+_NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
+
 
 def behavior_tree(task: Task) -> str:
     """Return the tree as XML: sequences of actions, guarded by their before-conditions.
@@ -21,6 +23,9 @@ def behavior_tree(task: Task) -> str:
     if task.goal:
         tree.set("_description", task.goal)
     _add(tree, task.tree)
+    for element in root.iter():
+        for name, text in element.attrib.items():
+            element.set(name, _NO_XML.sub(" ", text))
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
 

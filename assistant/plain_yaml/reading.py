@@ -181,6 +181,8 @@ class _Builder:
             top.value.append(value)
             top.lines.append(line)  # type: ignore[union-attr]
             top.size += 1
+            if top.size > MOST_NODES:
+                self._fail(line, f"more than {MOST_NODES:,} values", "a smaller file")
 
     def _wants_key(self) -> bool:
         return (

@@ -94,6 +94,16 @@ def test_check_tells_programs_too(capsys: pytest.CaptureFixture[str]) -> None:
     assert told["problems"][0]["where"] == "bad.yaml:1"
 
 
+def test_check_takes_folders_and_gives_schemas(capsys: pytest.CaptureFixture[str]) -> None:
+    status, out, _ = run(capsys, "check", str(shipped("tasks") / "scenes"))
+    assert status == 0
+    assert "table.yaml: a good scene" in out
+    status, out, _ = run(capsys, "check", "--schema", "setup")
+    assert status == 0
+    assert json.loads(out)["title"] == "setup"
+    assert run(capsys, "check")[0] == 2
+
+
 def test_show_a_lesson(capsys: pytest.CaptureFixture[str]) -> None:
     write_task(examples.task(examples.lesson()), Path("t.yaml"))
     status, out, _ = run(capsys, "show", "t.yaml")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -84,6 +85,13 @@ def test_a_behavior_tree_has_every_step_in_order(folder: Path) -> None:
     ]
     assert len(list(root.iter("ForceSuccess"))) == 2
     assert len(list(root.iter("Condition"))) == 28
+
+
+def test_signs_that_xml_forbids_are_left_out(folder: Path) -> None:
+    task = replace(examples.task(), goal='a\x07 < "b" & c')
+    write_task(task, folder / "task.yaml")
+    root = ElementTree.parse(converted(folder / "task.yaml", folder / "t.xml")).getroot()
+    assert root[0].get("_description") == 'a  < "b" & c'
 
 
 def test_a_graph_names_every_node(folder: Path) -> None:
