@@ -25,6 +25,9 @@ from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body
 from assistant.model.task import Action, Index, TaskObject
 
+ASSUMED_MM = (60.0, 40.0, 100.0)
+"""Size of a thing whose size the teacher does not know: the shipped block's."""
+
 
 @dataclass(frozen=True, slots=True)
 class Answered:

@@ -16,6 +16,7 @@ from assistant.dialogue.correcting import (
     plain_feedback,
     size,
     speed_of,
+    summed,
     too_much,
 )
 from assistant.dialogue.directions import depends_on_facing, direction_of
@@ -43,7 +44,7 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
         return tell(dialogue, line("error", "nothing_to_correct"))
     place = _place(dialogue, act)
     if place is None:
-        return unclear(dialogue, act.where.subtask if act.where else "")
+        return unclear(dialogue, act.where.subtask if act.where else "", act)
     if not sure and too_much(act, by_voice=by_voice):
         return _read_back(dialogue, act, words)
     if _facing_open(dialogue, act):
@@ -141,6 +142,8 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
     about = About(primitive, index_of(known, primitive)) if primitive else None
     slots = plain_feedback(feedback) | {"speed": round(100.0 * speed_of(known))}
     slots["size"] = round(abs(size(feedback)), 1)
+    if feedback.kind in ("translate", "rotate"):
+        slots["total"] = _total(known, feedback)
     topic: str = feedback.kind
     if topic in ("translate", "rotate"):
         slots["direction"] = direction_of(known, feedback)
@@ -152,6 +155,18 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
     elif not feedback.frame:
         topic = f"{topic}_world"
     return line("done", topic, about=about, **slots)
+
+
+def _total(known: Knowledge, feedback: Feedback) -> float | None:
+    """Return how far all corrections there go together; None where it is the only one."""
+    given = known.lesson.feedback if known.lesson else ()
+    alike = [
+        one
+        for one in given
+        if (one.kind, one.frame, one.primitive)
+        == (feedback.kind, feedback.frame, feedback.primitive)
+    ]
+    return round(size(summed(alike)), 1) if len(alike) > 1 else None
 
 
 def _told(dialogue: Dialogue, said: RobotAct) -> Turn:

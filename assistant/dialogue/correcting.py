@@ -7,6 +7,7 @@ shrink when the teacher goes back and forth; large ones are read back first.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -143,6 +144,17 @@ def scaled(feedback: Feedback, factor: float) -> Feedback:
         offset_m=(dx * factor, dy * factor, dz * factor),
         turn_rad=(rx * factor, ry * factor, rz * factor),
         factor=feedback.factor**factor,
+    )
+
+
+def summed(feedbacks: Sequence[Feedback]) -> Feedback:
+    """Return one correction that goes as far as several of one kind and frame together."""
+    offset = np.sum([one.offset_m for one in feedbacks], axis=0)
+    turn = np.sum([one.turn_rad for one in feedbacks], axis=0)
+    return replace(
+        feedbacks[-1],
+        offset_m=(float(offset[0]), float(offset[1]), float(offset[2])),
+        turn_rad=(float(turn[0]), float(turn[1]), float(turn[2])),
     )
 
 

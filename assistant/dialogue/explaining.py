@@ -13,13 +13,13 @@ from assistant.dialogue.correcting import plain_feedback, speed_of
 from assistant.dialogue.finding import find
 from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.reviewing import read_back
-from assistant.dialogue.state import Dialogue
+from assistant.dialogue.state import Dialogue, Pending, Reviewing
 from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
 from assistant.language.hints import matter
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
-from assistant.model.teacher_acts import Explain, Show
+from assistant.model.teacher_acts import Again, Explain, Show
 
 
 def explain(dialogue: Dialogue, act: Explain) -> Turn:
@@ -34,6 +34,8 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
         told = disagreement(dialogue) or line("explain", "agreed")
     elif topic == "next":
         told = _next(dialogue)
+    elif topic == "detour" and dialogue.run is not None and dialogue.run.note:
+        told = line("explain", "detour", note=dialogue.run.note)
     elif topic == "stop" and dialogue.arm in ("stopped", "paused"):
         told = line("explain", "stopped")
     elif lesson is not None:
@@ -194,6 +196,10 @@ def show(dialogue: Dialogue, act: Show) -> Turn:
             told = replace(read_back(dialogue.known), act="told")
         case "trajectory":
             told = _trajectory(lesson)
+            if isinstance(dialogue.state, Reviewing) and lesson.path is not None:
+                question = line("ask", "replay_now", asked="ready")
+                pending = Pending("ready", question, (Again(),))
+                return tell(replace(dialogue, pending=pending), told)
     return tell(dialogue, told)
 
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
-from assistant.dialogue import keeping, practicing, reviewing, showing, structure
+from assistant.dialogue import keeping, practicing, showing
 from assistant.dialogue.asking import ask, question, stage, tell
-from assistant.dialogue.changing import adjust_last, correct, redo, undo
+from assistant.dialogue.changing import shown_left
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
-from assistant.dialogue.finding import find, name_at, unclear
-from assistant.dialogue.going_back import go_back
-from assistant.dialogue.placing import set_pose
-from assistant.dialogue.replying import answers_by_words, in_state
+from assistant.dialogue.finding import with_name
+from assistant.dialogue.general import general
+from assistant.dialogue.naming import number_of, text_of
+from assistant.dialogue.replying import in_state, unknowing
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -41,6 +41,8 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)
+    if unknowing(dialogue, words.text):
+        return one_question(act_on_all(dialogue, (acts.Deny(),), words))
     if event.understanding.confidence < SAFETY.act_confidence:
         return _doubted(dialogue, meant, words)
     return one_question(act_on_all(dialogue, meant, words))
@@ -104,10 +106,12 @@ def misunderstood(dialogue: Dialogue) -> Turn:
     """Tell that nothing was understood; the second time also what can be said now."""
     if isinstance(dialogue.state, Watching):
         return dialogue, ()
-    missed = replace(dialogue, misses=dialogue.misses + 1)
+    guessed = dialogue.pending is not None and dialogue.pending.line.topic == "did_you_mean"
+    pending = None if guessed else dialogue.pending
+    missed = replace(dialogue, misses=dialogue.misses + 1, pending=pending)
     if dialogue.misses == 0:
         return tell(missed, line("error", "not_understood"))
-    return tell(missed, line("error", "not_understood_again"), help_line(dialogue))
+    return tell(missed, line("error", "not_understood_again"), help_line(missed))
 
 
 def help_line(dialogue: Dialogue) -> RobotAct:
@@ -138,7 +142,7 @@ def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
         if answered is not None:
             return answered
         heard = replace(heard, pending=None)
-    return _general(heard, act, words) or in_state(heard, act, words)
+    return general(heard, act, words) or in_state(heard, act, words)
 
 
 def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
@@ -178,6 +182,8 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
     free = replace(dialogue, pending=None)
     if pending.asked == "facing":
         return _faced(free, pending, act, words)
+    if pending.asked == "which" and isinstance(act, acts.Inform):
+        return _chosen(free, pending, text_of(act.value), words)
     confirmed = Words(pending.words or words.text, words.by_voice, sure=True)
     match act:
         case acts.Affirm() | acts.Approve() | acts.Start():
@@ -190,6 +196,22 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
             return None
 
 
+def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Turn:
+    """Take the one the teacher meant of several steps."""
+    offered: list[str] = pending.line.slots["names"]
+    number = number_of(text)
+    if number is not None and 1 <= number <= len(offered):
+        names = [offered[number - 1]]
+    else:
+        exact = [name for name in offered if name.lower() == text.lower()]
+        names = exact or [name for name in offered if text.lower() in name.lower()]
+    if len(names) != 1:
+        told = line("error", "not_among", names=offered)
+        return tell(replace(dialogue, pending=pending), told)
+    chosen = tuple(with_name(act, pending.words, names[0]) for act in pending.acts)
+    return act_on_all(dialogue, chosen, words)
+
+
 def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Words) -> Turn:
     """Take where the teacher stands; whoever does not say stands as the robot looks."""
     text = words.text if not isinstance(act, acts.Inform) else str(act.value)
@@ -199,68 +221,8 @@ def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Wo
     standing = changed(dialogue, "facing", known, clean=dialogue.clean)
     waiting = Words(pending.words, words.by_voice, sure=words.sure)
     said = say(standing, line("told", f"facing_{facing}"))[1]
-    done = first(said, act_on_all(standing, pending.acts, waiting))
+    shown = shown_left(standing)
+    done = first((*said, *shown[1]), act_on_all(shown[0], pending.acts, waiting))
     if told or isinstance(act, acts.Inform | acts.Affirm | acts.Deny):
         return done
     return first(done[1], act_on(done[0], act, words))
-
-
-def _general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
-    """Do what means the same in every state."""
-    if answers_by_words(dialogue, act):
-        return None
-    match act:
-        case acts.Undo():
-            return undo(dialogue)
-        case acts.Redo():
-            return redo(dialogue)
-        case acts.GoBack(where):
-            return go_back(dialogue, where)
-        case acts.Save(name):
-            return keeping.save(dialogue, name)
-        case acts.Load(name):
-            return keeping.load(dialogue, name)
-        case acts.Compare(name):
-            return keeping.load(dialogue, name, comparing=True)
-        case acts.Pause():
-            return practicing.pause(dialogue)
-        case acts.SetPose():
-            sure = words.sure or not words.by_voice
-            return set_pose(dialogue, act, words.text, sure=sure)
-        case acts.NewSetup():
-            return practicing.new_setup(dialogue)
-        case (
-            acts.Rename()
-            | acts.Optional()
-            | acts.Required()
-            | acts.Unordered()
-            | acts.Ordered()
-            | acts.AddSubtask()
-            | acts.RemoveSubtask()
-            | acts.Merge()
-            | acts.Split()
-        ):
-            return structure.edit(dialogue, act)
-        case acts.MoveCut() | acts.Assign():
-            return _recut(dialogue, act)
-        case acts.Translate() | acts.Rotate() | acts.AdjustSpeed() | acts.Gripper():
-            return correct(dialogue, act, words.text, by_voice=words.by_voice, sure=words.sure)
-        case acts.AdjustLast():
-            return adjust_last(dialogue, act, words.text)
-        case _:
-            return None
-
-
-def _recut(dialogue: Dialogue, act: acts.MoveCut | acts.Assign) -> Turn:
-    if dialogue.busy:
-        return say(dialogue, line("error", "while_moving"))
-    if dialogue.known.lesson is None:
-        return tell(dialogue, line("error", "nothing_learned"))
-    index = find(dialogue.known, act.subtask)
-    if index is None:
-        return unclear(dialogue, act.subtask)
-    name = name_at(dialogue.known, index)
-    at_rest = replace(dialogue, arm="rest")
-    if isinstance(act, acts.MoveCut):
-        return reviewing.move_cut(at_rest, replace(act, subtask=name))
-    return reviewing.assign(at_rest, act, name)

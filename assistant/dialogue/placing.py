@@ -29,6 +29,8 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
         return say(dialogue, line("error", "while_moving"))
     known = dialogue.known
     thing = thing_named(known, act.object)
+    if not thing and isinstance(dialogue.state, Introducing):
+        thing = dialogue.state.thing
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))
         return tell(dialogue, told)

@@ -34,14 +34,16 @@ def halted(dialogue: Dialogue, event: Halted) -> Turn:
 
 def stopped(dialogue: Dialogue, why: str) -> Turn:
     """Tell that the arm stands still and why; it waits for a new start."""
-    return say(replace(dialogue, arm="stopped", pending=None), line("stopped", "stop", why=why))
+    run = dialogue.run and replace(dialogue.run, interrupted=True)
+    still = replace(dialogue, arm="stopped", pending=None, run=run)
+    return say(still, line("stopped", "stop", why=why))
 
 
 def stop(dialogue: Dialogue) -> Turn:
     """Halt whatever is going on; grip and knowledge are kept."""
     match dialogue.arm:
         case "moving" | "checking" | "paused":
-            turn = stopped(replace(dialogue, state=Running()), "you said stop")
+            turn = stopped(replace(dialogue, state=Running()), "stop")
             return first((Halt("stop"),), turn)
         case _ if isinstance(dialogue.state, Thinking | Watching):
             return first((Halt("stop"),), say(dialogue, line("told", "still")))
@@ -105,6 +107,8 @@ def new_setup(dialogue: Dialogue) -> Turn:
     if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
     known = dialogue.known
+    if known.lesson is None:
+        return tell(dialogue, line("error", "nothing_learned"))
     return replace(dialogue, arm="rest"), (Arrange(known.setup, known.scene, random=True),)
 
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from assistant.dialogue import agreeing, practicing, reviewing, showing
-from assistant.dialogue.answers import answer
+from assistant.dialogue.answers import ASSUMED_MM, answer, with_body
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.naming import Value, as_said
+from assistant.dialogue.placing import set_pose
 from assistant.dialogue.state import (
     AwaitingShow,
     Dialogue,
@@ -20,6 +22,7 @@ from assistant.dialogue.state import (
     Thinking,
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
 _WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.Rename)
@@ -38,6 +41,11 @@ def answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
         unnamed = find(dialogue.known, act.old) is None
         return unnamed and state.asked in ("task_name", "subtask_name")
     return state.asked in ("subtask_name", "actions")
+
+
+def unknowing(dialogue: Dialogue, text: str) -> bool:
+    """Whether the teacher says not to know what the introduction asks."""
+    return isinstance(dialogue.state, Introducing) and mentions(text, hints("unknowing"))
 
 
 def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
@@ -60,6 +68,9 @@ def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
 def _introducing(
     dialogue: Dialogue, state: Introducing, act: acts.TeacherAct, words: Words
 ) -> Turn:
+    place = _place(state, act, words)
+    if place is not None:
+        return set_pose(dialogue, place, words.text, sure=words.sure or not words.by_voice)
     value = _value(state, act, words)
     if value is not None:
         return _answered(dialogue, state, value)
@@ -76,6 +87,17 @@ def _introducing(
             return tell(dialogue, line("error", "not_introduced"))
         case _:
             return tell(dialogue, line("error", "not_an_answer"))
+
+
+def _place(state: Introducing, act: acts.TeacherAct, words: Words) -> acts.SetPose | None:
+    """Return the place told where one was asked for, by bare numbers or of "it"."""
+    if state.asked != "pose" or not isinstance(act, acts.Inform):
+        return None
+    found = [float(one) for one in re.findall(r"-?\d+(?:\.\d+)?", words.text)]
+    if len(found) < 3:
+        return None
+    turned = (0.0, 0.0, found[3]) if len(found) == 4 else None
+    return acts.SetPose(state.thing, (found[0], found[1], found[2]), turned)
 
 
 def _confirmed(dialogue: Dialogue) -> Dialogue:
@@ -119,6 +141,10 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
             return _answered(dialogue, state, 0)
         case "actions":
             return _answered(dialogue, state, name_at(known, state.index))
+        case "body":
+            told = line("told", "assumed_body", thing=state.thing)
+            known = with_body(known, state.thing, "box", ASSUMED_MM)
+            return first(say(dialogue, told)[1], proceed(changed(dialogue, "body", known)))
         case "pose":
             left = replace(known, unplaced=(*known.unplaced, state.thing))
             return proceed(changed(dialogue, "pose", left))

@@ -46,12 +46,16 @@ def checked(dialogue: Dialogue, event: Checked) -> Turn:
         return ask(replace(dialogue, state=Ready(), arm="rest"))
     known = dialogue.known
     moving = replace(
-        dialogue, state=Running(), arm="moving", run=replace(run, checked=True), refusal=None
+        dialogue,
+        state=Running(),
+        arm="moving",
+        run=replace(run, checked=True, note=event.note),
+        refusal=None,
     )
     slow = run.pace == "slow"
     speed = PRACTICE.slow if slow else PRACTICE.normal
     effect = Move(known.task, run.setup, speed, pause_before_primitives=slow, anew=run.anew)
-    told = [line("report", "detour", note=event.note)] if event.note else []
+    told = [line("report", "detour", note=event.note)] if event.note and slow else []
     if slow and not run.anew:
         told.insert(0, line("report", "starting_slow", about=About(known.name), speed=speed))
     return then(say(moving, *told), effect)
@@ -200,7 +204,8 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
         return reviewing.replayed(dialogue)
     lacking = missing(dialogue.known, run)
     result = RunResult(run.setup, run.pace, run.corrected, not lacking, lacking, report.alignments)
-    clean = (*dialogue.clean, result) if result.complete and not run.corrected else ()
+    counts = result.complete and not (run.corrected or run.interrupted)
+    clean = (*dialogue.clean, result) if counts else ()
     after = replace(
         dialogue,
         state=Ran(),

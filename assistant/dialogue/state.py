@@ -189,6 +189,10 @@ class Run:
         Goes on from where the arm was halted.
     checked : bool
         The check of this run was accepted and its motion may be under way.
+    interrupted : bool
+        Stopped by the teacher on the way; it does not count toward agreement.
+    note : str
+        What was changed on the way.
     perceived : tuple of (condition, object)
     """
 
@@ -198,6 +202,8 @@ class Run:
     anew: bool = False
     checked: bool = False
     corrected: bool = False
+    interrupted: bool = False
+    note: str = ""
     primitive_at: int = -1
     perceived: tuple[tuple[str, str], ...] = ()
     held: str = ""

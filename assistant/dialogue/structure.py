@@ -8,7 +8,7 @@ from typing import Any
 
 from assistant.dialogue import grouping
 from assistant.dialogue.asking import settle, tell
-from assistant.dialogue.finding import edited, find, name_at, unclear
+from assistant.dialogue.finding import candidates, edited, find, name_at, unclear
 from assistant.dialogue.naming import alike
 from assistant.dialogue.sketch import (
     Sketch,
@@ -42,6 +42,9 @@ def edit(dialogue: Dialogue, act: Edit) -> Turn:
     """Change the tree as the teacher says and tell what was changed."""
     if dialogue.busy and not isinstance(act, acts.Rename):
         return say(dialogue, line("error", "while_moving"))
+    for name in _referred(act):
+        if len(candidates(dialogue.known, name)) > 1:
+            return unclear(dialogue, name, act)
     dialogue = _answering(dialogue, act)
     match act:
         case acts.Rename(old, new):
@@ -60,6 +63,21 @@ def edit(dialogue: Dialogue, act: Edit) -> Turn:
             return grouping.merge(dialogue, named)
         case acts.Split(name):
             return grouping.split(dialogue, name)
+
+
+def _referred(act: Edit) -> tuple[str, ...]:
+    """Return the texts by which an act refers to steps."""
+    match act:
+        case acts.Rename(old, _):
+            return (old,)
+        case acts.Unordered(named) | acts.Merge(named):
+            return named
+        case acts.Ordered(one, other):
+            return (one, other)
+        case acts.AddSubtask(_, after, before):
+            return tuple(name for name in (after, before) if name)
+        case _:
+            return (act.subtask,)
 
 
 def _answering(dialogue: Dialogue, act: Edit) -> Dialogue:

@@ -97,6 +97,10 @@ def _mm(wording: Wording, value: Any) -> str:
     return f"{1000.0 * abs(float(value)):g} mm"
 
 
+def _deg(wording: Wording, value: Any) -> str:
+    return wording.words("degree" if value == 1 else "degrees_of", {"value": value})
+
+
 def _action(wording: Wording, value: Mapping[str, str] | None) -> str:
     if not value:
         return ""
@@ -254,6 +258,7 @@ _KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "ordinal": _ordinal,
     "percent": _percent,
     "mm": _mm,
+    "deg": _deg,
     "action": _action,
     "conditions": _conditions,
     "state": _state,
@@ -271,6 +276,7 @@ _KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "hint": _from("hints"),
     "change": _from("changes"),
     "reason": _from("reasons"),
+    "why": _from("whys"),
     "degree": _from("degrees", "words"),
     "how": _from("how", "words"),
     "stage": _from("stages", "words"),

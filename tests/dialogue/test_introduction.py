@@ -157,3 +157,44 @@ def test_the_red_block_is_the_block() -> None:
     teacher = Lessons().open().tell("task").tell("goal").tell("the small block and the target")
     assert teacher.asked == "subtask_count"
     assert [one.name for one in teacher.dialogue.known.objects or ()] == ["block", "target"]
+
+
+def test_not_knowing_is_an_answer() -> None:
+    teacher = Lessons().open().tell("task").tell("goal").tell(("mug",))
+    teacher.hear(acts.Unknown(), text="I don't know", sure=0.4)
+    assert teacher.topics[0] == "told.assumed_body"
+    teacher.hear(acts.Unknown(), text="no idea", sure=0.4)
+    assert teacher.asked == "subtask_count"
+
+
+def test_bare_numbers_answer_where_something_is() -> None:
+    teacher = Lessons().open().tell("task").tell("goal").tell(("mug",)).tell("a cube, 5 cm")
+    teacher.hear(acts.Inform("500 -20.5 240 and 15"), text="500 -20.5 240 and 15")
+    place = teacher.dialogue.known.setup.places["mug"]
+    assert (place.xyz_mm, place.rpy_deg) == ((500.0, -20.5, 240.0), (0.0, 0.0, 15.0))
+
+
+def test_where_several_steps_fit_the_robot_asks_which() -> None:
+    teacher = Lessons().introduce().hear(acts.RemoveSubtask("move"))
+    assert teacher.asked == "which"
+    teacher.tell("move up object")
+    assert teacher.topics[0] == "done.removed"
+    assert "move up object" not in tree_names(teacher)
+
+
+def test_what_is_called_so_names_the_task() -> None:
+    teacher = Lessons().open().hear(acts.Rename("it", "sorting"), text="it's called sorting")
+    assert teacher.dialogue.known.name == "sorting"
+
+
+def test_commas_lost_in_understanding_are_found_again() -> None:
+    teacher = begun().tell(1).tell("pick up").tell(3)
+    said = "approach block, grasp block and move up block"
+    teacher.hear(acts.Inform(said.replace(",", "")), text=said)
+    assert len(tree_names(teacher)) == 4
+
+
+def test_steps_heard_without_commas_are_told_apart_by_their_verbs() -> None:
+    teacher = begun().tell(1).tell("pick up").tell(3)
+    teacher.tell("approach block grasp block and move up block")
+    assert tree_names(teacher)[1:] == ("approach block", "grasp block", "move up block")
