@@ -128,13 +128,12 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
         way = route(_stretch(work, branch, q, first, last), q[part])
         if way is None:
             return _blocked(work, q, first, last)
-        q[part], how = way
-        if how:
-            notes.append(f"{how} on the {place_name(work.fine, first + 1)}")
+        notes.append(_note(work, q, first, last) if way[1] else "")
+        q[part] = way[0]
     if np.abs(np.diff(q, axis=0)).max(initial=0.0) > JUMP_RAD:
         # The arm stands on another branch, and nothing lies between it and an exact stretch.
         return Refusal("joint_limit", place_name(work.fine, 0), "joint 4", hint="turn")
-    return _finished(work, q, "; ".join(notes))
+    return _finished(work, q, "; ".join(filter(None, notes)))
 
 
 def _start_joints(work: _Work, branch: int) -> Array:
@@ -189,6 +188,22 @@ def _collision(fine: FinePath, touch: Touch, sample: int) -> Refusal:
     deep = 1000.0 * max(-float(touch.gap[touch.worst]), 0.0)
     thing = touch.thing if touch.part != "carried" else f"{touch.thing} and what is carried"
     return Refusal("collision", place_name(fine, sample), thing, deep, "mm", "clear")
+
+
+def _note(work: _Work, kept: Array, first: int, last: int) -> str:
+    """Return why a free stretch was led anew; nothing for a wrist that merely was spared a spin."""
+    inside = np.arange(first + 1, last)
+    known = inside[~np.isnan(kept[inside]).any(axis=1)]
+    where = place_name(work.fine, first + 1)
+    where = f"on the {where}" if where.startswith("way") else "at the end"
+    phase = next(p for p in work.phases if p.first <= first and last <= p.last)
+    if len(known):
+        touch = phase.touches(kept[known], work.fine.gripper_m[known], known)
+        if not touch.free:
+            return f"going around {touch.thing} {where}"
+    if len(known) < len(inside) or limit_margin(kept[known]).min(initial=np.inf) < 0.0:
+        return f"staying within the arm's reach {where}"
+    return ""
 
 
 def _blocked(work: _Work, q: Array, first: int, last: int) -> Refusal:

@@ -27,6 +27,8 @@ PADS = (0.12, 0.35, 1.0)
 """How far a joint motion reaches beyond the bad part, as a share of what is left."""
 LONGER, LATER_S = 1.25, 1.0
 """A way around that lasts longer than this is taken only if there is no quicker one."""
+STEEP_RAD = 0.3
+"""More than this between samples is a leap: the hand would not pass where it was checked."""
 SEARCHES = 4
 """Pairs of ends between which a way is searched before giving up."""
 
@@ -130,6 +132,8 @@ def _straights(stretch: Stretch, pose: Array, q: Array, count: int) -> Iterator[
 
 def _good(stretch: Stretch, q: Array) -> bool:
     if np.any(np.isnan(q)) or limit_margin(q).min() < 0.0:
+        return False
+    if np.abs(np.diff(q, axis=0)).max(initial=0.0) > STEEP_RAD:
         return False
     return bool(np.all(stretch.gap(q[1:-1]) >= 0.0))
 
