@@ -39,8 +39,8 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     if asked in LISTS:
         items = _items(core, book)
         return Inform(items) if items else None
-    if asked not in _KEEP_ARTICLE:
-        core = _without(core, _ARTICLES)
+    if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in _ARTICLES:
+        core = core[1:]
     return Inform(said(core)) if core else None
 
 

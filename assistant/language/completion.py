@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 
+from assistant.language.answers import OPEN
 from assistant.language.phrasebook import phrasebook
 from assistant.model.listening import Listening
 
@@ -12,7 +13,8 @@ def suggestions(listening: Listening, language: str = "english") -> tuple[str, .
     """Return sentences that are understood now, the likeliest first."""
     told = phrasebook(language).suggestions
     asked = told.get(listening.asked or "", ())
-    lines = (*asked, *told.get(listening.stage, ()), *told["always"])
+    staged = () if listening.asked in OPEN else told.get(listening.stage, ())
+    lines = (*asked, *staged, *told["always"])
     filled = (one for line in lines for one in _filled(line, listening))
     return tuple(dict.fromkeys(filled))
 

@@ -2,16 +2,10 @@
 
 from __future__ import annotations
 
-from assistant.language.clauses import (
-    LIKELY,
-    SURE,
-    Hearing,
-    Parse,
-    clause,
-    correction,
-    texts_of,
-)
+from assistant.language.clauses import clause
+from assistant.language.located import correction
 from assistant.language.motion import tags_of
+from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import (
     AdjustLast,
@@ -27,8 +21,24 @@ _CORRECTIONS = (Translate, Rotate, AdjustSpeed, Gripper, AdjustLast)
 _JOINTS = frozenset(("and", "then", "but", "also", "plus"))
 _GROUPS = {
     "way": frozenset(
-        "left right up down forward backward clockwise counterclockwise up-er down-er high low"
-        " raise lower advance retreat".split()
+        [
+            "left",
+            "right",
+            "up",
+            "down",
+            "forward",
+            "backward",
+            "clockwise",
+            "counterclockwise",
+            "up-er",
+            "down-er",
+            "high",
+            "low",
+            "raise",
+            "lower",
+            "advance",
+            "retreat",
+        ]
     ),
     "amount": frozenset(("quantity", "little", "much")),
     "pace": frozenset(("faster", "slower", "fast", "slow")),

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+from itertools import pairwise
 from typing import cast
 
 from assistant.language.numbers import Quantity
@@ -101,7 +102,7 @@ def read_motion(
         rest = [tag for tag in tags if tag.kind in _WAYS]
         if paced is None:
             return None
-        return Reading((paced,), unexplained + len([t for t in rest if t.kind not in _UPDOWN]))
+        return Reading((paced,), unexplained + sum(t.kind not in _UPDOWN for t in rest))
     ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
     if not ways:
         return None
@@ -113,13 +114,14 @@ def read_motion(
         if act is None:
             return None
         acts.append(act)
-    acts = _same_unit(acts)
     bare = len(tags) > 1 and not _said_motion(kinds) and "skip" in kinds
     return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0))
 
 
 _UPDOWN = frozenset(("up", "down", "up-er", "down-er", "high", "low", "lower", "raise"))
-_SAYING = frozenset("turn tilt move quantity little much more less too not enough".split())
+_SAYING = frozenset(
+    ["turn", "tilt", "move", "quantity", "little", "much", "more", "less", "too", "not", "enough"]
+)
 
 
 def _said_motion(kinds: Sequence[str]) -> bool:
@@ -139,7 +141,7 @@ def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]
     if len(distinct) == 1:
         return [tags]
     cuts = [0]
-    for before, after in zip(distinct[:-1], distinct[1:], strict=True):
+    for before, after in pairwise(distinct):
         joints = [
             at for at in range(before + 1, after) if tags[at].words[0] in ("and", "but", "then")
         ]
@@ -169,10 +171,6 @@ def _displacement(tags: Sequence[Tag], *, turning: bool) -> TeacherAct | None:
         return Rotate(cast("TurnDirection", way), degree, angle)
     distance = None if value is None else _rounded(value)
     return Translate(cast("MoveDirection", way), degree, distance)
-
-
-def _same_unit(acts: list[TeacherAct]) -> list[TeacherAct]:
-    return acts
 
 
 def _rounded(value: float) -> float:
@@ -242,10 +240,3 @@ def _factor(quantity: Quantity, pace: str | None, words: Sequence[str]) -> float
     if quantity.kind == "ratio" or value < 1:
         return _rounded(1 + value if pace == "faster" else 1 - value)
     return _rounded(value if pace == "faster" else 1 / value)
-
-
-def with_degree(act: TeacherAct, degree: Degree) -> TeacherAct:
-    """Return the correction with a degree it did not have."""
-    if isinstance(act, Translate | Rotate | AdjustSpeed) and act.degree is None:
-        return replace(act, degree=degree)
-    return act

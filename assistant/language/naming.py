@@ -7,10 +7,32 @@ from collections.abc import Sequence
 
 from assistant.language.numbers import NumberWords
 
-_ARTICLES = frozenset("the a an this that my our your its these those both".split())
-_STEP = frozenset("step subtask part primitive phase action one stage number".split())
+_ARTICLES = frozenset(
+    ["the", "a", "an", "this", "that", "my", "our", "your", "its", "these", "those", "both"]
+)
+_STEP = frozenset(
+    ["step", "subtask", "part", "primitive", "phase", "action", "one", "stage", "number"]
+)
 _LAST = frozenset(("last", "final"))
-_GENERIC = frozenset("object target it thing onto on to of the a an and with into from".split())
+_GENERIC = frozenset(
+    [
+        "object",
+        "target",
+        "it",
+        "thing",
+        "onto",
+        "on",
+        "to",
+        "of",
+        "the",
+        "a",
+        "an",
+        "and",
+        "with",
+        "into",
+        "from",
+    ]
+)
 _ENDINGS = re.compile(r"(?:ing|ed|es|s|e)$")
 
 

@@ -90,10 +90,10 @@ def _only(listening: Listening) -> str:
 
 def _told(words: Sequence[str], book: Phrasebook, listening: Listening) -> bool:
     """Tell a place from a correction: "the block is ... left", not "move the block left"."""
-    return listening.asked == "pose" or any(
-        word in ("is", "are", "was", "sits", "lies", "stands", "been", "should", "target", "goal")
-        for word in words
-    )
+    if listening.asked == "pose":
+        return True
+    stated = ("is", "are", "was", "sits", "lies", "stands", "been", "should")
+    return any(word in stated for word in words) or bool({"target", "goal"} & set(words[:3]))
 
 
 def _body(

@@ -74,9 +74,9 @@ _TYPOS = {
     "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop", "sto": "stop",
     "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open", "cls": "close",
     "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right", "ok": "ok",
-    "yse": "yes", "eys": "yes", "ye": "yes", "yse": "yes", "og": "go", "pu": "up", "don": "done",
+    "yse": "yes", "eys": "yes", "ye": "yes", "og": "go", "pu": "up", "don": "done",
     "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with", "jsut": "just",
-    "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "si": "is", "ist": "is",
+    "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "ist": "is",
     "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
 }  # fmt: skip
 

@@ -9,21 +9,21 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.language.answers import OPEN, answer, trimmed, wrapped
-from assistant.language.clauses import (
+from assistant.language.clauses import clause
+from assistant.language.compounds import compound, corrected, once_more
+from assistant.language.naming import known_name
+from assistant.language.parsing import (
     DOUBTFUL,
     GUESS,
     LIKELY,
     SURE,
     Hearing,
     Parse,
-    best_sentence,
-    clause,
     texts_of,
 )
-from assistant.language.compounds import compound, corrected, once_more
-from assistant.language.naming import known_name
 from assistant.language.phrasebook import Phrasebook, phrasebook
 from assistant.language.repair import homophones, respelled, without_slips
+from assistant.language.sentences import best_sentence
 from assistant.language.similarity import likest
 from assistant.language.stopping import has_stop_word
 from assistant.language.words import Words, plain, said, spoken, words_of
@@ -76,7 +76,23 @@ _STRUCTURE = (
     Assign,
     MoveCut,
 )
-_QUESTIONS = frozenset("what who where when which whose why how do did are is can".split())
+_QUESTIONS = frozenset(
+    [
+        "what",
+        "who",
+        "where",
+        "when",
+        "which",
+        "whose",
+        "why",
+        "how",
+        "do",
+        "did",
+        "are",
+        "is",
+        "can",
+    ]
+)
 _REPAIRED = 0.97
 
 
@@ -125,6 +141,10 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
     names = (*hearing.listening.subtasks, *hearing.listening.objects)
     spelled = respelled(words, hearing.book, names)
     best, heard = _meaning(words, hearing), words
+    if hearing.listening.asked in OPEN and len(words) <= 2:
+        stopping = _command(spelled, hearing)
+        if stopping is not None and stopping.acts == (Stop(),) and stopping.score >= LIKELY:
+            return spelled, replace(stopping, score=stopping.score * _REPAIRED)
     if best.score >= LIKELY and texts_of(spelled) == texts_of(words):
         return heard, best
     sounded = homophones(words, hearing.book)
@@ -204,7 +224,7 @@ def _one(parse: Parse, listening: Listening) -> Parse:
 
 def _answered(words: Words, hearing: Hearing) -> Parse:
     """Return an answer to an open question, unless the words are a command of their own."""
-    asked = hearing.listening.asked
+    asked = hearing.listening.asked or "goal"
     bare = trimmed(words, hearing.book)
     for told in dict.fromkeys((words, bare)):
         parse = _command(told, hearing)

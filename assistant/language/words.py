@@ -16,7 +16,9 @@ _PIECES = re.compile(
 )
 _BREAKS = frozenset(",;:.!?()/=-")
 _SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.25", "¾": "0.75"}
-_DASHES = dict.fromkeys(map(ord, "‐‑‒–—−"), "-") | dict.fromkeys(map(ord, "‘’´`"), "'")
+_DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
+    (0x2018, 0x2019, 0xB4, 0x60), "'"
+)
 MOST_CHARACTERS = 2000
 
 

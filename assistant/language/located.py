@@ -1,0 +1,172 @@
+"""Corrections of the motion, with where in the task they belong, and key states."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from assistant.language.motion import read_motion
+from assistant.language.naming import known_name
+from assistant.language.parsing import (
+    DOUBTFUL,
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    bared,
+    texts_of,
+)
+from assistant.language.phrasebook import Phrase
+from assistant.language.sentences import LONGEST_NAME, best_sentence
+from assistant.language.words import Words, said
+from assistant.model.teacher_acts import (
+    AdjustSpeed,
+    Gripper,
+    KeyState,
+    Rotate,
+    Translate,
+    Where,
+)
+
+_STATING = frozenset(
+    [
+        "there",
+        "i",
+        "my",
+        "he",
+        "she",
+        "they",
+        "we",
+        "is",
+        "are",
+        "do",
+        "does",
+        "did",
+        "have",
+        "has",
+        "his",
+        "her",
+        "our",
+    ]
+)
+
+
+def correction(texts: Phrase, hearing: Hearing) -> Parse | None:
+    """Return a correction of the motion with the confidence its unexplained words leave."""
+    if len(texts) > 25 or (texts and texts[0] in ("what", "why", "how", "who", "where")):
+        return None
+    reading = read_motion(texts, hearing.book, hearing.names)
+    if reading is None or reading.unexplained > 2:
+        return None
+    if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in _STATING):
+        return None
+    return Parse(reading.acts, explained(reading.unexplained))
+
+
+def explained(unexplained: int) -> float:
+    """Return the confidence that unexplained words leave."""
+    return SURE - 0.01 if unexplained == 0 else max(DOUBTFUL - 0.2 * (unexplained - 1), 0.2)
+
+
+def located_correction(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "when you place it, a bit more left": a correction with where it belongs."""
+    texts = texts_of(words)
+    where = hearing.book.where
+    for when in ("before", "after", "during"):
+        for phrase in where[when]:
+            size = len(phrase)
+            if texts[:size] == phrase:
+                found = _front(words, size, when, hearing)
+                if found is not None:
+                    return found
+            for at in range(1, len(texts) - size):
+                if texts[at : at + size] == phrase:
+                    found = _joined(words[:at], words[at + size :], phrase, when, hearing)
+                    if found is not None:
+                        return found
+    return None
+
+
+def _front(words: Words, size: int, when: str, hearing: Hearing) -> Parse | None:
+    breaks = [at for at in range(size + 1, len(words)) if words[at].broken]
+    for at in breaks or range(size + 1, len(words)):
+        found = _joined(words[at:], words[size:at], texts_of(words[:size]), when, hearing)
+        if found is not None:
+            return found
+    return None
+
+
+def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Hearing) -> Parse | None:
+    subject = _place(place, hearing)
+    weak = phrase in (("at",), ("in",), ("for",), ("as",), ("once",), ("following",))
+    if not subject or len(subject) > LONGEST_NAME:
+        return None
+    if not told or told[-1].text in ("to", "of", "by", "and", "from"):
+        return None
+    if told[0].text in ("it", "the", "a", "an", "that", "and", "to") and not told[0].broken:
+        return None
+    texts = texts_of(subject)
+    if texts in ((("you",), ("i",), ("we",), ("the",))):
+        return None
+    if any(text in hearing.book.chat for text in texts):
+        return None
+    known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
+    if (weak and known is None and phrase != ("once",)) or _is_amount(texts, hearing):
+        return None
+    for bare in bared(told, hearing.book):
+        parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
+        if parse is None or parse.score < LIKELY:
+            continue
+        spot = Where(
+            known or said(subject),
+            "before" if when == "before" else "after" if when == "after" else "during",
+        )
+        acts = tuple(
+            replace(act, where=spot)
+            for act in parse.acts
+            if isinstance(act, Translate | Rotate | AdjustSpeed | Gripper)
+        )
+        if len(acts) == len(parse.acts):
+            return Parse(acts, SURE if known else LIKELY + 0.01)
+    return None
+
+
+def _is_amount(texts: Phrase, hearing: Hearing) -> bool:
+    return all(text in ("it", "that", "this", "once", "least", "all", "now") for text in texts)
+
+
+def _place(words: Words, hearing: Hearing) -> Words:
+    """Take the subject off "you place it", and the article off "the grasp"."""
+    texts = texts_of(words)
+    for phrase in hearing.book.where["subject"]:
+        if len(phrase) < len(words) and texts[: len(phrase)] == phrase:
+            rest = words[len(phrase) :]
+            return rest[1:] if len(rest) > 1 and rest[0].text in ("the", "are", "is") else rest
+    return words
+
+
+def key_state(words: Words, hearing: Hearing) -> Parse | None:
+    """Read what a teacher who demonstrates calls attention to."""
+    if hearing.listening.stage != "demonstration":
+        return None
+    lists = hearing.book.answer_words
+    marked = False
+    while (cut := _marker(words, lists["key_markers"])) and len(words) > cut:
+        words, marked = words[cut:], True
+    texts = texts_of(words)
+    nouns = {word for phrase in lists["key_nouns"] for word in phrase} | hearing.names
+    verbs = {word for phrase in lists["key_verbs"] for word in phrase}
+    weak = {"it", "they", "both", "is", "are", "was", "got", "does", "no"}
+    strong = (set(texts) & (nouns | verbs)) - weak
+    concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
+    asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
+    if not concerned or asking or set(texts) & hearing.book.chat or len(texts) < 3:
+        return None
+    if texts[0] in ("i", "we", "my"):
+        return Parse((KeyState(said(words)),), DOUBTFUL)
+    return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
+
+
+def _marker(words: Words, markers: Sequence[Phrase]) -> int:
+    texts = texts_of(words)
+    return next((len(phrase) for phrase in markers if texts[: len(phrase)] == phrase), 0)

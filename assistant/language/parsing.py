@@ -1,0 +1,85 @@
+"""What parts of understanding share: a parse, what a clause is heard with, its bare words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.words import Word, Words
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import TeacherAct
+
+SURE, LIKELY, DOUBTFUL, GUESS = 0.96, 0.9, 0.6, 0.4
+
+
+@dataclass(frozen=True, slots=True)
+class Parse:
+    """Acts with the confidence that they are what was meant."""
+
+    acts: tuple[TeacherAct, ...]
+    score: float
+
+
+@dataclass(frozen=True, slots=True)
+class Hearing:
+    """What understanding a clause needs beside its words."""
+
+    book: Phrasebook
+    listening: Listening
+    language: str = "english"
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Words of the names of known objects."""
+        return frozenset(w for name in self.listening.objects for w in name.lower().split())
+
+
+def texts_of(words: Sequence[Word]) -> Phrase:
+    """Return the words as they are compared."""
+    return tuple(word.text for word in words)
+
+
+def bared(words: Words, book: Phrasebook) -> Iterator[Words]:
+    """Yield the clause as it is, then with courtesies taken off its ends, step by step."""
+    seen: set[tuple[int, int]] = set()
+    starts = [0]
+    while (cut := _head(words[starts[-1] :], book)) and len(starts) < 6:
+        starts.append(starts[-1] + cut)
+    ends = [len(words)]
+    while (cut := _tail(words[: ends[-1]], book)) and len(ends) < 5:
+        ends.append(ends[-1] - cut)
+    for end in ends:
+        for start in starts:
+            if start < end and (start, end) not in seen:
+                seen.add((start, end))
+                yield words[start:end]
+                if start and words[start - 1].text == "mind" and words[start].text.endswith("ing"):
+                    yield (_base(words[start], book), *words[start + 1 : end])
+
+
+def _base(word: Word, book: Phrasebook) -> Word:
+    """Return "move" for "moving", as it follows "would you mind"."""
+    stem = word.text.removesuffix("ing")
+    for form in (stem, f"{stem}e", stem[:-1]):
+        if form in book.vocabulary:
+            return replace(word, text=form)
+    return word
+
+
+def _head(words: Words, book: Phrasebook) -> int:
+    texts = texts_of(words)
+    for size in range(min(8, len(words) - 1), 0, -1):
+        if texts[:size] in book.opening:
+            return size
+    if len(words) > 1 and words[1].broken and texts[0] in ("right", "no", "yes", "good", "yeah"):
+        return 0
+    return 0
+
+
+def _tail(words: Words, book: Phrasebook) -> int:
+    texts = texts_of(words)
+    for size in range(min(7, len(words) - 1), 0, -1):
+        if texts[-size:] in book.closing:
+            return size
+    return 0

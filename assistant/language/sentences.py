@@ -1,0 +1,194 @@
+"""Sentences of the phrasebook, and the teacher's own words in their slots."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from assistant.language.naming import known_name, without_article
+from assistant.language.parsing import DOUBTFUL, LIKELY, SURE, Hearing, Parse, texts_of
+from assistant.language.phrasebook import Phrase, Sentence
+from assistant.language.templates import Bound, matches
+from assistant.language.words import Word, Words, said
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import ACTS, TeacherAct
+
+LONGEST_NAME = 7
+_NOBODY = frozenset(
+    ("there", "it", "that", "this", "what", "which", "who", "they", "everything", "it is", "it's")
+)
+_STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
+
+
+def best_sentence(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the act of the phrasebook's best matching sentence."""
+    texts = texts_of(words)
+    if not texts:
+        return None
+    best: tuple[tuple[float, ...], Parse] | None = None
+    book = hearing.book
+    for sentence in (*book.by_first.get(texts[0], ()), *book.by_first[""]):
+        if not _applies(sentence, hearing.listening):
+            continue
+        for n, bound in enumerate(matches(sentence.nodes, texts)):
+            parse = _parse(sentence, bound, words, hearing)
+            if parse is not None:
+                free = sum(end - start for _, start, end in bound)
+                first = bound[0][2] - bound[0][1] if bound else 0
+                asked, staged = bool(sentence.asked), bool(sentence.stages)
+                key = (parse.score, asked, staged, -free, first)
+                if best is None or key > best[0]:
+                    best = (key, parse)
+            if n > 40 or not bound:
+                break
+    return None if best is None else best[1]
+
+
+def _applies(sentence: Sentence, listening: Listening) -> bool:
+    if sentence.stages and listening.stage not in sentence.stages:
+        return False
+    return not sentence.asked or (listening.asked or "none") in sentence.asked
+
+
+def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> Parse | None:
+    slots: dict[str, Any] = dict(sentence.slots)
+    score = SURE
+    for label, start, end in bound:
+        name, _, limit = label.partition(":")
+        part = words[start:end]
+        if name == "x":
+            score = min(score, SURE if sentence.act == "cue" else LIKELY)
+        elif name in ("n", "nth"):
+            slots["number"] = _number(texts_of(words), start, hearing)
+        else:
+            several = sentence.extra == "list"
+            value, trust = _names(part, hearing) if several else _name(part, limit, hearing)
+            if value is None or (start == 0 and value in _NOBODY):
+                return None
+            if isinstance(value, str) and value.startswith(("it ", "them ", "that ")):
+                return None
+            slots[name] = value
+            score = min(score, trust)
+    if sentence.extra == "text":
+        slots["text"] = said(words)
+    spoken_of = (text for _, s, e in bound for text in texts_of(words[s:e]))
+    if sentence.act != "unknown" and any(text in hearing.book.chat for text in spoken_of):
+        return None
+    act = _act(sentence, slots)
+    return None if act is None else Parse((act,), score)
+
+
+def _number(texts: Phrase, at: int, hearing: Hearing) -> float | None:
+    numbers = hearing.book.numbers
+    found = numbers.ordinal(texts, at) or numbers.number(texts, at)
+    return found[0] if found else None
+
+
+def _act(sentence: Sentence, slots: dict[str, Any]) -> TeacherAct | None:
+    number = slots.pop("number", None) or 0.0
+    kind = ACTS[sentence.act]
+    if sentence.act == "cue" and sentence.extra == "number":
+        slots["which"] = "first" if number == 1 and "{nth}" in sentence.template else int(number)
+    if sentence.act == "assign":
+        slots["episode"] = int(number)
+    if sentence.extra == "seconds":
+        slots["at_s"] = float(number)
+    if sentence.extra == "ratio":
+        slots["factor"] = number / 100.0
+    older = slots.pop("older", None)
+    if older is not None:
+        slots["old"] = older
+    if sentence.act in ("unordered", "merge") and "subtasks" in slots:
+        slots["subtasks"] = tuple(slots["subtasks"])
+        if len(slots["subtasks"]) < 2:
+            return None
+    return kind(**slots)
+
+
+def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float]:
+    """Return a slot's value and how far it can be trusted."""
+    if len(words) > LONGEST_NAME:
+        return None, 0.0
+    bare = without_article(texts_of(words))
+    part = words[len(words) - len(bare) :]
+    if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
+        return None, 0.0
+    names = (*hearing.listening.subtasks,)
+    found = known_name(texts_of(part), names, hearing.book.numbers)
+    if found is not None:
+        return found, SURE
+    if limit == "known" and not _refers(texts_of(part), hearing):
+        return None, 0.0
+    if any(text in ("i", "he", "she", "they", "who") for text in texts_of(part)):
+        return said(part), DOUBTFUL
+    if limit == "known" and not set(texts_of(part)) & _STEPS and not part[0].text.endswith("ing"):
+        return said(part), 0.8
+    return _unresolved(part, hearing)
+
+
+def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
+    """Return a name no task knows: without a trailing "step", unless that is all it has."""
+    texts = texts_of(part)
+    numbers = hearing.book.numbers
+    counted = numbers.ordinal(texts, 0) or numbers.number(texts, 0)
+    numbered = texts[0] in _STEPS and numbers.number(texts, 1) is not None
+    placed = texts[-1] in _STEPS and (counted or texts[0] in ("next", "last", "final"))
+    if placed or (numbered and len(texts) == 2):
+        return said(part), LIKELY + 0.03
+    if texts[0] in _STEPS and len(texts) > 1:
+        part = part[1:]
+    if counted and counted[1] == len(texts):
+        return said(part), DOUBTFUL
+    if len(part) > 1 and texts[-1] in _STEPS:
+        part = part[:-1]
+    return said(part), LIKELY
+
+
+def _refers(texts: Phrase, hearing: Hearing) -> bool:
+    """Tell whether words name a step without any task known: "step two", "moving up"."""
+    steps = {"step", "subtask", "part", "primitive"}
+    verbs = {
+        "move",
+        "grasp",
+        "lift",
+        "place",
+        "approach",
+        "pick",
+        "turn",
+        "release",
+        "lower",
+        "put",
+    }
+    return bool(set(texts) & steps) or texts[0].endswith("ing") or texts[0] in verbs
+
+
+def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, float]:
+    parts: list[list[Word]] = [[]]
+    for word in words:
+        if word.text in ("and", "or", "with", "plus", "both", "either", "nor"):
+            parts.append([])
+            continue
+        if word.broken:
+            parts.append([])
+        parts[-1].append(word)
+    if "two" in texts_of(words) and "the" in texts_of(words) and len(words) <= 3:
+        return None, 0.0
+    found = [_name(tuple(part), "", hearing) for part in parts if part]
+    values = tuple(value for value, _ in found if value is not None)
+    if len(values) < 2 or len(values) < len(found):
+        return None, 0.0
+    return _numbered(values, words, hearing), min(trust for _, trust in found)
+
+
+def _numbered(values: tuple[str, ...], words: Words, hearing: Hearing) -> tuple[str, ...]:
+    """Resolve "steps two and three" through the known names."""
+    names = hearing.listening.subtasks
+    numbers = hearing.book.numbers
+    if not names:
+        return values
+    found: list[str] = []
+    for value in values:
+        texts = [t for t in value.split() if t not in ("steps", "step", "subtasks", "parts", "one")]
+        place = (numbers.ordinal(texts, 0) or numbers.number(texts, 0)) if len(texts) == 1 else None
+        at = int(place[0]) if place else 0
+        found.append(names[at - 1] if 1 <= at <= len(names) else value)
+    return tuple(found)

@@ -1,0 +1,119 @@
+import json
+from typing import Any
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import ASKED, STAGES, Stop, Unknown, act_to_json
+from tests.benchmarks.bench_language import Row, rows, same
+
+NAMES = ("pick up object", "approach object", "grasp object", "move up object")
+
+
+def heard(text: str, **where: Any) -> list[dict[str, Any]]:
+    listening = Listening(**{"stage": "practice", **where})
+    return [act_to_json(act) for act in understand(text, listening).acts]
+
+
+@pytest.mark.parametrize("file", ["tuning.yaml", "unseen.yaml", "unseen2.yaml"])
+def test_nearly_all_sentences_of_the_corpus_are_understood(file: str) -> None:
+    wrong = [row for row in rows(file) if not _right(row)]
+    assert len(wrong) <= 0.05 * len(list(rows(file))), [row.text for row in wrong]
+
+
+@pytest.mark.parametrize("file", ["tuning.yaml", "unseen.yaml", "unseen2.yaml"])
+def test_what_is_acted_on_is_right(file: str) -> None:
+    sure = [row for row in rows(file) if understand(row.text, row.listening).confidence >= 0.85]
+    wrong = [row.text for row in sure if not _right(row)]
+    assert len(wrong) <= 0.005 * len(list(rows(file))), wrong
+
+
+def _right(row: Row) -> bool:
+    meant = understand(row.text, row.listening)
+    return same(row.acts, [act_to_json(act) for act in meant.acts])
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.text(max_size=80), st.sampled_from(STAGES), st.sampled_from([None, *ASKED]))
+def test_no_text_raises_and_no_text_means_nothing(text: str, stage: Any, asked: Any) -> None:
+    meant = understand(text, Listening(stage=stage, asked=asked))
+    assert meant.acts
+    assert 0.0 <= meant.confidence <= 1.0
+
+
+@settings(max_examples=40, deadline=None)
+@given(st.text(max_size=40), st.sampled_from(["stop", "Halt!", "FREEZE", "don't stop", "stpo"]))
+def test_while_moving_a_stop_word_anywhere_stops(text: str, word: str) -> None:
+    meant = understand(f"{text} {word}", Listening(stage="practice", moving=True))
+    assert meant.acts == (Stop(),)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "there is some time left",
+        "my bus stop",
+        "don't stop",
+        "never stop",
+        "do not stop now",
+        "full stop",
+        "when does the next bus stop here",
+        "we should stop by the shop",
+        "i can't stop laughing",
+    ],
+)
+def test_at_rest_talk_of_stopping_is_no_stop(text: str) -> None:
+    assert "stop" not in [act["act"] for act in heard(text)]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["stop", "please stop", "STOP!!", "stpo", "stopp", "stop the arm", "no, stop", "halt now",
+     "whoa", "freeze", "could you stop please", "stop, you will hit the table", "i said stop"],
+)  # fmt: skip
+@pytest.mark.parametrize("asked", [None, "satisfied", "subtask_name", "objects", "goal"])
+def test_at_rest_stop_is_understood_whatever_was_asked(text: str, asked: Any) -> None:
+    assert heard(text, asked=asked) == [{"act": "stop"}]
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("you can skip moving up", "move up object"),
+        ("the second step is optional", "approach object"),
+        ("grasping is optional", "grasp object"),
+        ("step four is optional", "move up object"),
+    ],
+)
+def test_references_resolve_to_known_names(text: str, name: str) -> None:
+    assert heard(text, subtasks=NAMES) == [{"act": "optional", "subtask": name}]
+
+
+def test_a_guess_is_never_sure() -> None:
+    meant = understand("left a whatsit", Listening(stage="practice"))
+    assert meant.confidence < 0.85
+
+
+def test_chat_is_unknown_in_every_stage() -> None:
+    for stage in STAGES:
+        meant = understand("the weather is nice today", Listening(stage=stage))
+        assert meant.acts == (Unknown(),)
+
+
+def test_answers_read_as_the_question_wants() -> None:
+    assert heard("there are a couple", asked="subtask_count") == [{"act": "inform", "value": 2}]
+    assert heard("the red block and a target", asked="objects") == [
+        {"act": "inform", "value": ["red block", "target"]}
+    ]
+    assert heard("open the hand", asked="subtask_name") == [
+        {"act": "inform", "value": "open the hand"}
+    ]
+
+
+def test_acts_are_plain_json() -> None:
+    acts = heard("when you place it, a bit more left")
+    assert json.loads(json.dumps(acts)) == acts
+    assert acts[0]["where"] == {"subtask": "place it", "when": "during"}
