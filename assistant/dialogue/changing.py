@@ -23,7 +23,16 @@ from assistant.dialogue.directions import depends_on_facing, direction_of
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.finding import find_whole, name_at, unclear
 from assistant.dialogue.going_back import resettled
-from assistant.dialogue.state import Change, Dialogue, Knowledge, Pending, Ran, Ready, Running
+from assistant.dialogue.state import (
+    Change,
+    Dialogue,
+    Introducing,
+    Knowledge,
+    Pending,
+    Ran,
+    Ready,
+    Running,
+)
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
@@ -40,6 +49,8 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
         at_rest = not dialogue.busy
         if at_rest:
             return _hand(dialogue, act, sure=sure)
+    if isinstance(dialogue.state, Introducing):
+        return tell(dialogue, line("error", "not_an_answer"))
     if dialogue.known.lesson is None:
         return tell(dialogue, line("error", "nothing_to_correct"))
     place = _place(dialogue, act)

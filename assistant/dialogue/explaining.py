@@ -15,7 +15,7 @@ from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.reviewing import read_back
 from assistant.dialogue.state import Dialogue, Pending, Reviewing
 from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
-from assistant.language.hints import matter
+from assistant.language.hints import hints, matter
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
@@ -74,6 +74,12 @@ def _number(text: str) -> float | None:
     return float(found.group()) if found else None
 
 
+def _ordinal(text: str) -> int | None:
+    ordinals: dict[str, int] = hints("ordinals")
+    found = (ordinals[word] for word in re.findall(r"[a-z]+", text.lower()) if word in ordinals)
+    return next(found, None)
+
+
 def _cut(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> RobotAct:
     points = [point for point in lesson.segmentation.points if point.kept]
     at_s = _number(text)
@@ -105,7 +111,7 @@ def _about(dialogue: Dialogue, name: str) -> About | None:
 
 def _assignment(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> RobotAct | None:
     episodes = lesson.segmentation.episodes
-    number = _number(text)
+    number = _number(text) or _ordinal(text)
     chosen = [(at, one) for at, one in enumerate(episodes, 1) if named and one.primitive == named]
     if not chosen and number is not None and 1 <= number <= len(episodes):
         chosen = [(int(number), episodes[int(number) - 1])]

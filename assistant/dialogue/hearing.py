@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from types import MappingProxyType
 
 from assistant.dialogue import keeping, practicing, showing
 from assistant.dialogue.asking import ask, question, stage, tell
@@ -151,7 +152,7 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
         case acts.Help():
             return tell(dialogue, help_line(dialogue))
         case acts.RepeatLine():
-            return say(dialogue, *dialogue.said) if dialogue.said else ask(dialogue)
+            return say(dialogue, *map(in_full, dialogue.said)) if dialogue.said else ask(dialogue)
         case acts.Explain():
             return explain(dialogue, act)
         case acts.Show():
@@ -166,6 +167,12 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return keeping.leave_wanted(dialogue)
         case _:
             return None
+
+
+def in_full(said: RobotAct) -> RobotAct:
+    """Return a line as it is said the first time."""
+    slots = {name: value for name, value in said.slots.items() if name != "again"}
+    return replace(said, slots=MappingProxyType({**slots, "again": False}))
 
 
 def _leaving(dialogue: Dialogue) -> bool:

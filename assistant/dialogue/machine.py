@@ -7,6 +7,7 @@ effects and brings their results back as events (design, three ideas).
 from __future__ import annotations
 
 from dataclasses import replace
+from types import MappingProxyType
 from typing import assert_never
 
 from assistant.dialogue import practicing, reporting, reviewing, showing
@@ -47,8 +48,21 @@ def step(dialogue: Dialogue, event: Event) -> tuple[Dialogue, tuple[Effect, ...]
     if isinstance(dialogue.state, Closed):
         return dialogue, ()
     after, effects = _answer(dialogue, event)
+    effects = tuple(_shorter(dialogue, effect) for effect in effects)
     lines = tuple(effect.line for effect in effects if isinstance(effect, Say))
     return (replace(after, said=lines) if lines else after), effects
+
+
+def _shorter(dialogue: Dialogue, effect: Effect) -> Effect:
+    """Return a question asked a moment ago in its short form; all else as it is."""
+    if not isinstance(effect, Say) or effect.line.act not in ("ask", "confirm"):
+        return effect
+    before = {(line.act, line.topic, line.about) for line in dialogue.said}
+    asked = effect.line
+    in_full = asked.slots.get("again") is False
+    if in_full or (asked.act, asked.topic, asked.about) not in before:
+        return effect
+    return Say(replace(asked, slots=MappingProxyType({**asked.slots, "again": True})))
 
 
 def _answer(dialogue: Dialogue, event: Event) -> Turn:

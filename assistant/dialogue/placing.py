@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Literal
 
 from assistant.dialogue.asking import begin_run, places, proceed, tell
 from assistant.dialogue.effects import Arrange
@@ -20,7 +21,11 @@ from assistant.dialogue.turn import Turn, changed, first, line, plain_place, say
 from assistant.language.actions import mentioned_objects
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
+from assistant.model.scene import Scene
 from assistant.model.setup import Place, Triple
+
+Kind = Literal["hand", "body"]
+STANDS_MM = 15.0
 
 
 def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -> Turn:
@@ -83,11 +88,13 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
     place is of stays as it was where the words leave it open.
     """
     old = known.setup.places.get(thing)
-    kind = old.kind if old is not None else "body"
+    kind: Kind = old.kind if old is not None else "body"
     if mentions(words, hints("place_of")["hand"]):
         kind = "hand"
     elif mentions(words, hints("place_of")["body"]):
         kind = "body"
+    elif act.position_mm is not None:
+        kind = _likely_kind(known.scene, thing, act.position_mm, kind)
     turned: Triple = act.rpy_deg or (old.rpy_deg if old is not None else (0.0, 0.0, 0.0))
     if act.position_mm is not None:
         return Place(kind, act.position_mm, turned)
@@ -96,6 +103,24 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
     dx, dy, dz = _from_robot(known, act.by_mm or (0.0, 0.0, 0.0))
     x, y, z = old.xyz_mm
     return Place(old.kind, (x + dx, y + dy, z + dz), turned)
+
+
+def _likely_kind(scene: Scene, thing: str, xyz_mm: Triple, kind: Kind) -> Kind:
+    """Return whether a body or a hand is meant: the one with which the body stands on a table.
+
+    Where neither does, or both do, the kind stays as it was.
+    """
+    tops = [table.xyz_mm[2] + table.size_mm[2] for table in scene.tables]
+    kinds: tuple[Kind, Kind] = ("hand", "body")
+    standing = [
+        one
+        for one in kinds
+        if any(
+            abs(1000.0 * float(scene.body_pose(thing, Place(one, xyz_mm))[2]) - top) < STANDS_MM
+            for top in tops
+        )
+    ]
+    return standing[0] if len(standing) == 1 else kind
 
 
 def _from_robot(known: Knowledge, by_mm: Triple) -> Triple:

@@ -8,7 +8,7 @@ from typing import Any
 from assistant.dialogue.asking import ask, index_of, introduced, learn, tell
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
-from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.introduction import with_roles
 from assistant.dialogue.naming import alike
 from assistant.dialogue.sketch import Sketch, at, inserted, names, put
 from assistant.dialogue.state import (
@@ -22,10 +22,12 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.geometry import pose_to_mm_deg
+from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.setup import Place
+from assistant.model.task import Action
 
 SLOW_REPLAY = 0.5
 
@@ -171,10 +173,12 @@ def _introduced_late(dialogue: Dialogue, name: str, from_s: float) -> Turn:
     before = episodes[number - 1].primitive if number else None
     after = index_of(known, before) if before else ()
     parent, position = (after[:-1], after[-1] + 1) if after else ((), 1)
-    root = inserted(known.root, parent, position, Sketch(name))
+    # It was seen as one motion; without a word for it, it is done as shown.
+    action = read_action(name, known.objects or ()).action or Action("free", name)
+    root = inserted(known.root, parent, position, Sketch(name, True, action=action))
     assigned = tuple(sorted({**dict(_as_assigned(lesson)), number + 1: name}.items()))
     more = replace(known, root=root, cuts_s=_boundaries(lesson), assigned=assigned)
-    added = changed(dialogue, "added", all_understood(more))
+    added = changed(dialogue, "added", with_roles(more))
     return first(say(added, line("done", "added", name=name))[1], learn(added))
 
 

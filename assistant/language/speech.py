@@ -22,7 +22,7 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     language : str
         ``english`` or ``german``, or ``en`` or ``de``.
     brief : bool
-        Say less.
+        Say less. A question with the slot ``again`` was asked just before and is short too.
     """
     book = page("says", language)
     template = _template(book["says"].get(line.act, {}), line.topic)
@@ -33,7 +33,8 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     if template is None:
         return wording.fill(str(slots.get("reason", "")) or line.topic.replace("_", " "))
     if isinstance(template, Mapping):
-        template = template["brief"] if brief and "brief" in template else template["full"]
+        short = brief or bool(slots.get("again"))
+        template = template["brief"] if short and "brief" in template else template["full"]
     return _tidy(wording.fill(template))
 
 

@@ -70,6 +70,10 @@ def _list(wording: Wording, value: Any) -> str:
     return wording.joined([str(one) for one in value or ()])
 
 
+def _names(wording: Wording, value: Any) -> str:
+    return wording.joined([f'"{one}"' for one in value or ()])
+
+
 def _answer(wording: Wording, value: Any) -> str:
     return _list(wording, value) if isinstance(value, list | tuple) else str(value)
 
@@ -252,6 +256,7 @@ def _from(part: str, key: str | None = None) -> Callable[[Wording, Any], str]:
 
 _KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "list": _list,
+    "names": _names,
     "answer": _answer,
     "numbers": _numbers,
     "some": _some,

@@ -2,15 +2,29 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.machine import listening, public_view
+from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Question
 from assistant.model.motion import Refusal
-from tests.dialogue.teaching import SCENE, STEPS, Lessons, lesson, moved, tree_task
+from assistant.model.scene import Obstacle
+from assistant.model.task import primitives
+from tests.dialogue.teaching import (
+    SCENE,
+    SETUP,
+    STEPS,
+    Lessons,
+    demonstration,
+    lesson,
+    moved,
+    tree_task,
+)
 
 
 def agreed_lesson() -> Lessons:
@@ -221,3 +235,99 @@ def test_removing_a_step_after_learning_learns_again() -> None:
     teacher = Lessons().ready().hear(acts.RemoveSubtask("move up object"))
     assert teacher.topics[0] == "done.removed_shown"
     assert teacher.did(fx.Learn)
+
+
+def test_a_question_asked_again_is_short_and_repeating_says_it_in_full() -> None:
+    teacher = Lessons().ready()
+    full = phrase(teacher.lines[-1])
+    short = phrase(teacher.hear(acts.Optional("move up object")).lines[-1])
+    assert len(short) < len(full)
+    assert phrase(teacher.hear(acts.RepeatLine()).lines[-1]) == full
+
+
+@pytest.mark.parametrize(("z_mm", "kind"), [(300.0, "hand"), (240.0, "body"), (500.0, "hand")])
+def test_a_place_is_of_what_would_stand_on_the_table(z_mm: float, kind: str) -> None:
+    table = Obstacle("table", (1800.0, 1800.0, 20.0), (0.0, 0.0, 220.0))
+    teacher = Lessons().ready()
+    scene = replace(SCENE, tables=(table,))
+    teacher.happen(ev.Arranged(SETUP, scene)).happen(ev.Checked(SETUP, None))
+    teacher.hear(acts.SetPose("block", (500.0, 0.0, z_mm)))
+    assert teacher.lines[0].slots["place"]["of"] == kind
+
+
+def test_why_a_cut_and_why_a_step_are_answered_from_the_lesson() -> None:
+    teacher = Lessons().learned()
+    teacher.hear(acts.Explain("why did you cut at 4 seconds"))
+    assert teacher.topics[0] == "explain.cut"
+    assert teacher.lines[0].slots["signals"] == ["gripper", "voice"]
+    teacher.hear(acts.Explain("why is the second part the grasp"))
+    assert teacher.topics[0] == "explain.assignment"
+    assert teacher.lines[0].slots["name"] == "grasp object"
+    assert teacher.hear(acts.Explain("how sure are you")).topics[0] == "explain.sure"
+    assert teacher.hear(acts.Explain("what did you learn")).topics[0] == "explain.learned"
+
+
+def test_a_step_nobody_introduced_gets_a_name_and_its_own_part() -> None:
+    facts = {"from_s": 4.0, "to_s": 6.0, "introduced": 5, "shown": 6}
+    teacher = Lessons().learned(Question("missing_step", "", "never_introduced", facts))
+    teacher.tell("shake it")
+    assert teacher.topics[0] == "done.added"
+    learn = next(one for one in teacher.effects if isinstance(one, fx.Learn))
+    assert (3, "shake it") in learn.assigned
+    leaves = [leaf.name for leaf in primitives(learn.task.tree)]
+    assert leaves.index("shake it") == 2
+
+
+def test_comparing_tells_what_differs() -> None:
+    teacher = Lessons().open(tree_task(lesson()), saved=("old",)).hear(acts.Compare("old"))
+    assert fx.Load("old") in teacher.effects
+    teacher.hear(acts.Undo())
+    known = teacher.dialogue.known
+    teacher.happen(ev.Loaded("old", tree_task(lesson())))
+    assert teacher.topics[0] in ("told.comparison", "told.comparison_same")
+    assert teacher.dialogue.known == known
+
+
+def test_the_demonstration_can_be_seen_again() -> None:
+    teacher = Lessons().learned().hear(acts.Show("trajectory"))
+    assert teacher.asked == "ready"
+    assert not teacher.did(fx.Replay)
+    teacher.hear(acts.Affirm())
+    assert teacher.did(fx.Replay)
+    teacher.report("primitive", 0)
+    assert teacher.topics == ["announce.primitive"]
+    teacher.report("finished", 4)
+    assert teacher.asked == "confirm_segmentation"
+
+
+def test_while_watching_markers_and_chat_are_met_with_silence() -> None:
+    teacher = Lessons().confirmed().hear(acts.Start())
+    for quiet in (acts.Cue("next"), acts.KeyState("look"), acts.Unknown(), acts.Translate("up")):
+        assert teacher.hear(quiet).effects == ()
+    assert teacher.hear(acts.Gripper("open")).effects == (fx.SetHand("open"),)
+    assert fx.EndRecording(keep=False) in teacher.hear(acts.Again()).effects
+    assert teacher.asked == "ready"
+
+
+def test_a_stop_while_watching_keeps_what_was_shown() -> None:
+    teacher = Lessons().confirmed().hear(acts.Start()).hear(acts.Stop())
+    assert teacher.effects[0] == fx.Halt("stop")
+    assert fx.EndRecording(keep=True) in teacher.effects
+    assert teacher.happen(ev.Shown(demonstration())).asked == "satisfied"
+    assert teacher.hear(acts.Affirm()).did(fx.Learn)
+
+
+def test_what_could_not_be_learned_is_told_and_watched_again() -> None:
+    teacher = Lessons().confirmed().hear(acts.Start()).hear(acts.Approve())
+    teacher.happen(ev.Shown(demonstration())).happen(ev.Learned(None, "never_closed"))
+    assert "the hand never closed" in phrase(teacher.lines[0])
+    assert teacher.asked == "ready"
+
+
+def test_a_second_miss_offers_what_can_be_said() -> None:
+    teacher = Lessons().ready().hear(acts.Start(), sure=0.5)
+    assert teacher.asked == "did_you_mean"
+    assert not teacher.did(fx.Check)
+    teacher.hear(acts.Start(), sure=0.5)
+    assert "help.ready" in teacher.topics
+    assert teacher.asked == "ready"
