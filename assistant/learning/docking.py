@@ -9,14 +9,14 @@ from assistant.geometry import (
     compose,
     quat_from_rotvec,
     quat_inverse,
-    quat_multiply,
     quat_to_rotvec,
     relative,
     rotate_vector,
 )
-from assistant.learning.weights import six_order
+from assistant.learning.ways import quintic
 from assistant.model.settings import GeneralizationSettings
 
+_LEAST_SETTLING = 25
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -75,8 +75,8 @@ def straightened(
 ) -> Array:
     """Return the path with everything docking forbids taken out from docking to `at`.
 
-    Before docking it fades out over `settle_m` of path, so that the transition stays as smooth
-    as it was shown.
+    Before docking it is led away over `settle_m` of path with least jerk, joining place, speed
+    and acceleration at both ends, so that the transition stays smooth.
 
     Parameters
     ----------
@@ -88,25 +88,27 @@ def straightened(
     settle_m : float
     """
     stretch = slice(earliest, at + 1)
+    docking = docking_at - earliest
     seen = relative(path[at], path[stretch])
-    weight = _fading(path[stretch, :3], docking_at - earliest, settle_m)
-    allowed = (seen[:, :3] @ ways.T) @ ways
-    turn = quat_to_rotvec(seen[:, 3:])
-    kept = np.empty_like(seen)
-    kept[:, :3] = seen[:, :3] - weight[:, None] * (seen[:, :3] - allowed)
-    kept[:, 3:] = quat_multiply(quat_from_rotvec(-weight[:, None] * turn), seen[:, 3:])
+    turns = quat_to_rotvec(seen[:, 3:])
+    stray = np.hstack([seen[:, :3] - (seen[:, :3] @ ways.T) @ ways, turns])
+    change = -stray
+    change[:docking] = 0.0
+    begin = _settling(path[stretch, :3], docking, settle_m)
+    if docking > begin:
+        about = stray[[max(docking - 1, 0), docking, min(docking + 1, len(stray) - 1)]]
+        ends = [about[1], (about[2] - about[0]) / 2.0, about[0] - 2.0 * about[1] + about[2]]
+        share = np.arange(docking - begin) / (docking - begin)
+        change[begin:docking] = -quintic(share, docking - begin)[:, 3:] @ np.array(ends)
+    kept = np.hstack([seen[:, :3] + change[:, :3], quat_from_rotvec(turns + change[:, 3:])])
     out = path.copy()
     out[stretch] = compose(path[at], kept)
     return out
 
 
-def _fading(xyz: Array, docking: int, settle_m: float) -> Array:
-    steps = np.linalg.norm(np.diff(xyz, axis=0), axis=1)
+def _settling(xyz: Array, docking: int, settle_m: float) -> int:
+    """Return the sample from which the path settles, at least half a second before docking."""
+    steps = np.linalg.norm(np.diff(xyz[: docking + 1], axis=0), axis=1)
     travel = np.concatenate([[0.0], np.cumsum(steps)])
-    begin = max(travel[docking] - settle_m, 0.0)
-    length = travel[docking] - begin
-    if length <= 0.0:
-        return (np.arange(len(xyz)) >= docking).astype(float)
-    weight = six_order((travel - begin) / length)
-    weight[docking:] = 1.0
-    return weight
+    begin = int(np.searchsorted(travel, travel[-1] - settle_m))
+    return max(min(begin, docking - _LEAST_SETTLING), 0)

@@ -19,6 +19,7 @@ from assistant.learning.stations import Visit, frames, touches, visits
 from assistant.learning.structure import optional_questions
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
+from assistant.model.motion import Indices
 from assistant.model.scene import Scene
 from assistant.model.settings import GeneralizationSettings, SegmentationSettings, SignalSettings
 from assistant.model.task import Task, primitives
@@ -123,6 +124,7 @@ def _generalized(
     names = [leaf.name for leaf in leaves]
     position = primitive_at(even.shown_s, lesson.segmentation.episodes, names)
     path, stations = _docked(context, lesson.segmentation, even, seen)
+    _while_acting(position, stations, names, even.t_s, context.given.dwell_s)
     states = inferred(leaves, path, position, stations)
     return replace(
         lesson,
@@ -134,12 +136,26 @@ def _generalized(
     )
 
 
+def _while_acting(
+    position: Indices,
+    stations: tuple[Station, ...],
+    names: Sequence[str],
+    t_s: Array,
+    dwell_s: float,
+) -> None:
+    """Let the primitive that grasps or releases last until the gripper has acted."""
+    for station in stations:
+        if station.kind != "touch" and station.primitive in names:
+            acting = np.abs(t_s - t_s[station.at]) <= dwell_s / 2.0 + 1e-9
+            position[acting] = names.index(station.primitive)
+
+
 def _with_questions(
     task: Task,
     found: Segmentation,
     states: Inferred,
     names: Sequence[str],
-    position: np.ndarray[tuple[int], np.dtype[np.int64]],
+    position: Indices,
 ) -> Segmentation:
     shown = [names[at] for at in np.unique(position) if at >= 0]
     return replace(found, questions=(*found.questions, *optional_questions(task, states, shown)))

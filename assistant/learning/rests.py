@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -44,24 +45,25 @@ def braked(share: Array) -> Array:
 
 
 def longer_clock(halts: Sequence[Halt], begin_s: float, end_s: float) -> tuple[Array, Array, Array]:
-    """Return the pieces of the new clock: begins (new), begins (old) and kinds, row by row.
+    """Return the pieces of the new clock.
 
     Returns
     -------
-    begins_s : array, shape (k + 1,)
-        On the new clock, from 0; the last is the end.
+    lengths_s : array, shape (k,)
+        On the new clock; negative for a piece that sets off from a halt.
     from_s, to_s : array, shape (k,)
         On the demonstration's clock. A piece keeps time if both lengths are alike, stays if
-        `from_s` is `to_s`, and else eases: it brakes if it ends at a halt.
+        `from_s` is `to_s`, and else eases.
     """
     marks: list[tuple[float, float, float]] = []
     now = begin_s
-    for halt in halts:
+    latest = [(a.at_s + b.at_s) / 2.0 for a, b in pairwise(halts)] + [end_s]
+    for halt, last in zip(halts, latest, strict=False):
         brake_from = max(halt.at_s - halt.brake_s, now)
         marks.append((brake_from - now, now, brake_from))
         marks.append((2.0 * (halt.at_s - brake_from), brake_from, halt.at_s))
         marks.append((halt.stay_s, halt.at_s, halt.at_s))
-        now = min(halt.at_s + halt.away_s, end_s)
+        now = min(halt.at_s + halt.away_s, last)
         marks.append((-2.0 * (now - halt.at_s), halt.at_s, now))
     marks.append((end_s - now, now, end_s))
     pieces = np.array([mark for mark in marks if abs(mark[0]) > 1e-9])
@@ -92,7 +94,7 @@ def demonstrated_times(halts: Sequence[Halt], begin_s: float, end_s: float, new_
 
 def new_instant(halts: Sequence[Halt], begin_s: float, end_s: float, at: int) -> float:
     """Return when, on the new clock, the middle of the rest of halt number `at` comes."""
-    lengths, from_s, to_s = longer_clock(halts[: at + 1], begin_s, end_s)
+    lengths, from_s, to_s = longer_clock(halts, begin_s, end_s)
     starts = np.concatenate([[0.0], np.cumsum(np.abs(lengths))])
     reached = np.flatnonzero((from_s < to_s) & (to_s <= halts[at].at_s + 1e-12))
     done = float(starts[reached[-1] + 1]) if len(reached) else 0.0

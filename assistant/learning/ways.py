@@ -159,7 +159,7 @@ def _between(path: Array, around: Array, first: int, last: int) -> Between:
     return Between(
         first,
         last,
-        _hermite(share, length),
+        quintic(share, length),
         least_jerk(share),
         np.ascontiguousarray(path[inside, 3:].T),
         np.ascontiguousarray(around[inside].T),
@@ -174,7 +174,12 @@ def _about(path: Array, around: Array, end: int) -> End:
     return End(path[samples, :3].tolist(), around[samples].tolist())
 
 
-def _hermite(share: Array, length: int) -> Array:
+def quintic(share: Array, length: int) -> Array:
+    """Return the weights, shape (m, 6), of a correction's ends at shares of the way.
+
+    Columns: value, slope and curvature where it begins, then where it ends, a sample's step
+    being 1 and the way `length` steps. Of all curves with these ends the sum has least jerk.
+    """
     t = share
     t2, t3 = t * t, t * t * t
     last = t3 * (10.0 - 15.0 * t + 6.0 * t2)
