@@ -65,7 +65,7 @@ def add_obstacle(client: Client, box: Obstacle) -> int:
         basePosition=pose[:3].tolist(),
         baseOrientation=pose[3:].tolist(),
     )
-    client.changeDynamics(number, -1, lateralFriction=TABLE_FRICTION)
+    client.changeDynamics(number, -1, lateralFriction=TABLE_FRICTION, frictionAnchor=True)
     return number
 
 

@@ -67,6 +67,8 @@ class BulletWorld:
         self._names.update({number: name for name, number in self._numbers.items()})
         self._bases = {n: inverse(middle_in_base(scene.bodies[n].size_mm[2])) for n in known}
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
+        self._easing = "nothing"
+        self._anchor("")
         self.seat(q)
 
     def _load_arm(self) -> None:
@@ -87,8 +89,6 @@ class BulletWorld:
             client.changeDynamics(
                 self._arm, k, linearDamping=0.0, angularDamping=0.0, jointDamping=0.0
             )
-        self._anchored = False
-        self._anchor(True)
         gear = client.createConstraint(
             self._arm,
             self._fingers[0],
@@ -117,7 +117,7 @@ class BulletWorld:
         begin, finger = self._q, self._finger_m
         speed = ((q - begin) / CONTROL_S).tolist()
         force = settings.grip_n * allowed.grip
-        self._anchor(allowed.grip >= 1.0)
+        self._anchor(allowed.grasped if allowed.grip < 1.0 else "")
         six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
         for k in range(self._steps):
             share = k / self._steps
@@ -145,18 +145,22 @@ class BulletWorld:
         self._q, self._finger_m = np.array(q), opening_m / 2
         return self._fault(allowed)
 
-    def _anchor(self, wanted: bool) -> None:
-        """Let the pads' friction hold places (carrying) or only oppose motion (letting go)."""
-        if wanted == self._anchored:
+    def _anchor(self, easing: str) -> None:
+        """Let friction hold places, but between the pads and a body that is being let go.
+
+        Where neither of two touching things is anchored, friction only opposes motion: it no
+        longer pulls a body back to where the pads first touched it.
+        """
+        if easing == self._easing:
             return
-        self._anchored = wanted
+        client, eased, self._easing = self._client, bool(easing), easing
         for pad in self._pads:
-            self._client.changeDynamics(
-                self._arm,
-                pad,
-                lateralFriction=self.settings.pad_friction,
-                frictionAnchor=wanted,
+            friction = self.settings.pad_friction
+            client.changeDynamics(
+                self._arm, pad, lateralFriction=friction, frictionAnchor=not eased
             )
+        for name, number in self._numbers.items():
+            client.changeDynamics(number, -1, frictionAnchor=name != easing)
 
     def _fault(self, allowed: Allowed) -> Fault | None:
         client, settings = self._client, self.settings

@@ -79,19 +79,36 @@ class KinematicWorld:
         self._opening_m = opening
 
     def _catch(self, opening_m: float) -> None:
-        middle = transform_points(self._hand, np.array([a465.TCP_M, 0.0, 0.0]))
+        name = between_pads(self._scene, self._bodies, self._hand)
+        if not name:
+            return
+        pose = self._bodies[name]
         across = rotate_vector(self._hand[3:], np.array([0.0, 1.0, 0.0]))
-        for name, pose in self._bodies.items():
-            body = self._scene.bodies.get(name)
-            if body is None or body.mass_kg <= 0:
-                continue
-            point = transform_points(inverse(pose), middle)
-            axis = rotate_vector(inverse(pose)[3:], across)
-            width = _width(body, axis)
-            if _inside(body, point) and opening_m <= width:
-                self._held, self._held_width_m = name, width
-                self._in_hand = compose(inverse(self._hand), pose)
-                return
+        width = _width(self._scene.bodies[name], rotate_vector(inverse(pose)[3:], across))
+        if opening_m <= width:
+            self._held, self._held_width_m = name, width
+            self._in_hand = compose(inverse(self._hand), pose)
+
+
+def between_pads(scene: Scene, bodies: Mapping[str, Array], hand: Array) -> str:
+    """Return the name of the body the pads would close on; empty for none.
+
+    Parameters
+    ----------
+    scene : Scene
+    bodies : mapping of name to array, shape (7,)
+        Middle of each body's base.
+    hand : array, shape (7,)
+        The flange.
+    """
+    middle = transform_points(hand, np.array([a465.TCP_M, 0.0, 0.0]))
+    for name, pose in bodies.items():
+        body = scene.bodies.get(name)
+        if body is None or body.mass_kg <= 0:
+            continue
+        if _inside(body, transform_points(inverse(pose), middle)):
+            return name
+    return ""
 
 
 def _width(body: Body, axis: Array) -> float:

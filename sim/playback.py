@@ -17,6 +17,8 @@ from sim import a465
 from sim.kinematics import forward
 from sim.world import CONTROL_S
 
+STANDS_RAD = 2e-5
+
 
 @dataclass(slots=True)
 class Playback:
@@ -44,6 +46,14 @@ class Playback:
     def sample(self) -> int:
         """The last sample reached."""
         return int(self.at)
+
+    @property
+    def stands(self) -> bool:
+        """Whether the hand already rests at the next station, waiting for the gripper's time."""
+        if not self.pending or self.sample >= self.pending[0].at:
+            return bool(self.pending)
+        way = self.motion.q[self.sample : self.pending[0].at + 1]
+        return bool(np.max(np.abs(way - way[-1])) < STANDS_RAD)
 
     @property
     def over(self) -> bool:

@@ -171,10 +171,11 @@ class SimulatedArm:
             playback.advance()
             self._look_again(playback)
             self._q, self._hand = playback.now()
+            self._ease_early(playback)
         fault = self.world.step(self._q, self._hand, self._opening_m, self._allowed(playback))
         self._now_s += CONTROL_S
         told = self._passed(playback)
-        if fault is None and self._carried and not acting:
+        if fault is None and self._carried and not acting and self._grip == 1.0:
             fault = self._lost_grip()
         if fault is not None:
             return (*told, self._halt("unmet", fault.text, fault.body))
@@ -187,6 +188,14 @@ class SimulatedArm:
         if playback.over:
             return (*told, self._finish())
         return tuple(told)
+
+    def _ease_early(self, playback: Playback) -> None:
+        # A body that stands while it is still pressed between the pads creeps on its support.
+        stop = playback.pending[0] if playback.pending else None
+        if stop is None or stop.kind != "release" or playback.braking:
+            return
+        if stop.docking_at < playback.sample and playback.stands:
+            self._ease()
 
     def _allowed(self, playback: Playback) -> Allowed:
         sample = playback.sample
@@ -206,10 +215,9 @@ class SimulatedArm:
             # From where the fingers are, not from where a closed hand without a body would be.
             self._opening_m = before
         self._acting_s += CONTROL_S
-        if not closing:
-            self._grip = max(EASED, 1.0 - (1.0 - EASED) * self._acting_s / EASE_S)
-            if self._acting_s <= EASE_S + CONTROL_S:
-                return ()
+        if not closing and self._grip > EASED:
+            self._ease()
+            return ()
         # The command is a ramp, so that the fingers meet the body slowly.
         step = a465.GRIPPER.speed_m_s * CONTROL_S
         goal = 0.0 if closing else a465.GRIPPER.open_m
@@ -220,6 +228,9 @@ class SimulatedArm:
         if self._still < STILL_TICKS and self._acting_s < ACTING_S:
             return ()
         return self._acted(playback, stop)
+
+    def _ease(self) -> None:
+        self._grip = max(EASED, self._grip - CONTROL_S / EASE_S)
 
     def _supposed_in_hand(self, playback: Playback, stop: HandStop) -> None:
         if stop.kind == "grasp" and stop.object in self._told:
