@@ -1,7 +1,7 @@
 """Keys as the teacher's hand: every press jogs the arm live, checked, while it is recorded.
 
 A terminal or a window hands key names to `KeyedHand.press` and calls `tick` once a period;
-each tick moves the hand by one small step and returns the sample to record. A key keeps
+each tick moves the hand on and returns the sample to record. A key keeps
 moving for `HOLD_S` after its last press, since terminals repeat keys instead of telling when
 one is let go; `release` ends it at once.
 
@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from assistant.geometry import Array, quat_from_rotvec, quat_multiply
-from assistant.model.motion import HandPath, HandStop, JointPath, Refusal
+from assistant.model.motion import HandPath, HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import Arm, HandSample, Planner
@@ -47,7 +47,8 @@ HOLD_S = 0.12
 """A key moves for this long after it was last seen; terminals repeat about every 40 ms."""
 SPEED_M_S, TURN_RAD_S = 0.10, 0.5
 SLOWEST, FASTEST, STEP = 0.1, 2.0, 1.25
-ACTING_S = 1.4
+CHUNKS_S = (0.6, 0.1, 0.04)
+ENDS = ("finished", "halted", "unmet")
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +86,8 @@ class KeyedHand:
         self._left: dict[str, float] = {}
         self._speed, self._clutched, self._blocked = 1.0, False, ""
         self._wanted = ""
-        self._over = False
+        self._over = self._moving = False
+        self._driven_by: frozenset[str] = frozenset()
         self._said = ""
 
     @property
@@ -128,79 +130,80 @@ class KeyedHand:
     def tick(self) -> HandSample:
         """Let one period pass and return the sample at its end."""
         for _ in range(self._ticks):
-            if self._wanted:
-                self._act()
-            elif self._left:
-                self._step()
-            else:
-                self._arm.tick()
-            self._left = {k: s - CONTROL_S for k, s in self._left.items() if s > CONTROL_S}
+            self._tick()
         look = self._arm.look()
         said, self._said = self._said, ""
         return HandSample(look.now_s - self._began_s, look.hand, look.gripper_m, said)
+
+    def _tick(self) -> None:
+        keys = frozenset(self._left)
+        if not self._moving and self._wanted:
+            self._act()
+        elif not self._moving and keys:
+            self._jog(keys)
+        elif self._moving and self._driven_by and keys != self._driven_by:
+            self._arm.stop("key")
+        for report in self._arm.tick():
+            if report.kind == "unmet":
+                self._blocked = f"{report.text} {report.object}".strip()
+            if report.kind in ENDS:
+                self._moving, self._driven_by = False, frozenset()
+        self._left = {k: s - CONTROL_S for k, s in self._left.items() if s > CONTROL_S}
 
     def samples(self) -> Iterator[HandSample]:
         """Yield samples until `finish` is called."""
         while not self._over:
             yield self.tick()
 
-    def _step(self) -> None:
+    def _jog(self, keys: frozenset[str]) -> None:
+        """Plan a short straight motion; it is braked as soon as the keys change."""
         look = self._arm.look()
-        move = sum((np.array(MOVES[k]) for k in self._left if k in MOVES), np.zeros(3))
-        turn = sum((np.array(TURNS[k]) for k in self._left if k in TURNS), np.zeros(3))
+        move = sum((np.array(MOVES[k]) for k in keys if k in MOVES), np.zeros(3))
+        turn = sum((np.array(TURNS[k]) for k in keys if k in TURNS), np.zeros(3))
         speed = min(SPEED_M_S * self._speed, self._scene.hand_speed_m_s)
-        goal = stepped(look.hand, _unit(move) * speed * CONTROL_S, self._turn(turn))
-        path = np.stack([look.hand, goal])
-        self._run(path, np.full(2, look.gripper_m), ())
-
-    def _turn(self, turn: Array) -> Array:
-        return _unit(turn) * TURN_RAD_S * self._speed * CONTROL_S
+        # A way that is blocked further on is tried again over a shorter stretch.
+        for seconds in CHUNKS_S:
+            t_s = np.arange(0.0, seconds + CONTROL_S / 2, CONTROL_S)[:, None]
+            goals = stepped(
+                look.hand, _unit(move) * speed * t_s, _unit(turn) * TURN_RAD_S * self._speed * t_s
+            )
+            if self._begin(goals, np.full(len(goals), look.gripper_m), ()):
+                self._driven_by = keys
+                return
+        self.release()
 
     def _act(self) -> None:
-        """Open or close: the hand rests meanwhile, so that all keys are let go."""
+        """Open or close the hand, which rests meanwhile."""
         look = self._arm.look()
-        closing = self._wanted == CLOSE
+        closing, self._wanted = self._wanted == CLOSE, ""
         name = look.held or (self._reached(look.bodies, look.hand) if closing else "")
         goal = 0.0 if closing else GRIPPER.open_m
         stop = HandStop(1, "grasp" if closing else "release", name, "", 0, 2)
         self._left.clear()
-        self._wanted = ""
-        path = np.tile(look.hand, (3, 1))
-        self._run(path, np.array([look.gripper_m, goal, goal]), (stop,))
+        self._begin(np.tile(look.hand, (3, 1)), np.array([look.gripper_m, goal, goal]), (stop,))
 
     def _reached(self, bodies: Mapping[str, Array], hand: Array) -> str:
         return between_pads(self._scene, bodies, hand)
 
-    def _run(self, path: Array, gripper_m: Array, stops: tuple[HandStop, ...]) -> None:
+    def _begin(self, path: Array, gripper_m: Array, stops: tuple[HandStop, ...]) -> bool:
         count = len(path)
-        t_s = CONTROL_S * np.arange(count)
+        t_s = CONTROL_S * np.arange(count, dtype=float)
         wanted = HandPath(t_s, path, gripper_m, np.full(count, -1), stops)
-        look = self._arm.look()
-        found = self._planner.plan(wanted, self._scene, self._setup, look)
+        found = self._planner.plan(wanted, self._scene, self._setup, self._arm.look())
         if isinstance(found, Refusal):
             self._blocked = str(found)
-            self.release()
-            self._arm.tick()
-            return
-        self._blocked = ""
-        self._carry_out(found)
-
-    def _carry_out(self, motion: JointPath) -> None:
-        self._arm.start(motion)
-        for _ in range(len(motion.t_s) + round(4 * ACTING_S / CONTROL_S)):
-            for report in self._arm.tick():
-                if report.kind in ("unmet", "halted"):
-                    self._blocked = report.text
-                if report.kind in ("unmet", "halted", "finished"):
-                    return
+            return False
+        self._blocked, self._moving = "", True
+        self._arm.start(found)
+        return True
 
 
-def stepped(hand: Array, move: Array, turn: Array) -> Array:
-    """Return a flange pose moved along the base's axes and turned about them, shape (7,)."""
-    quat = quat_multiply(quat_from_rotvec(turn), hand[3:])
-    return np.concatenate([hand[:3] + move, quat])
+def stepped(hand: Array, moves: Array, turns: Array) -> Array:
+    """Return a flange pose moved along the base's axes and turned about them, shape (n, 7)."""
+    quats = quat_multiply(quat_from_rotvec(turns), hand[3:])
+    return np.concatenate([hand[:3] + moves, quats], axis=-1)
 
 
 def _unit(vector: Array) -> Array:
     length = float(np.linalg.norm(vector))
-    return np.asarray(vector / length) if length > 0 else vector
+    return np.array(vector / length, dtype=float) if length > 0 else np.zeros(3)
