@@ -35,7 +35,7 @@ def satisfied(dialogue: Dialogue) -> Turn:
     agreed = replace(at_rest, agreed=True)
     told = line("done", "agreed", about=known, task=dialogue.known.name)
     if not agreed.unsaved and agreed.saved_as:
-        return say(agreed, told)
+        return tell(agreed, told)
     name = agreed.saved_as or dialogue.known.name
     if name in agreed.saved and name != agreed.saved_as:
         return tell(agreed, told, line("told", "save_by_name", name=name))

@@ -35,6 +35,10 @@ class Words:
     sure: bool = False
 
 
+ASIDE = ("setup", "facing")
+"""Changes of knowledge that leave the task as it was."""
+
+
 def line(
     act: RobotActName,
     topic: str,
@@ -77,9 +81,9 @@ def changed(
     if known == dialogue.known:
         return dialogue
     past = (*dialogue.past, Change(dialogue.known, label))
-    return replace(
-        dialogue, known=known, past=past, future=(), unsaved=True, agreed=False, clean=clean
-    )
+    after = replace(dialogue, known=known, past=past, future=(), clean=clean)
+    # Where things are and where the teacher stands is no part of a saved task.
+    return after if label in ASIDE else replace(after, unsaved=True, agreed=False)
 
 
 def about(known: Knowledge, index: Index) -> About:

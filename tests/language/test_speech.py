@@ -92,12 +92,12 @@ def test_slots_become_words() -> None:
 
 
 def test_empty_parts_are_left_out() -> None:
-    refusal = {"where": "the target", "what": "joint 5", "amount": 12.3, "unit": "deg"}
+    refusal = {"where": "target", "what": "joint 5", "amount": 12.3, "unit": "deg"}
     told = phrase(RobotAct("refuse", "joint_limit", slots={**refusal, "hint": "turn"}))
     assert "joint 5 would pass its limit by 12 degrees" in told
     assert told.endswith("It would help to turn it.")
-    bare = phrase(RobotAct("refuse", "joint_limit", slots={"where": "the target"}))
-    assert bare == "I do not go: at the target would pass its limit."
+    bare = phrase(RobotAct("refuse", "joint_limit.only", slots={"where": "target"}))
+    assert bare == "I do not go: at the target one of my joints would pass its limit."
 
 
 def test_a_tree_is_numbered() -> None:
