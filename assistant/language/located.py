@@ -90,6 +90,9 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
 def _front(words: Words, size: int, when: str, hearing: Hearing) -> Parse | None:
     breaks = [at for at in range(size + 1, len(words)) if words[at].broken]
     for at in breaks or range(size + 1, len(words)):
+        loose = words[at].text in ("it", "the", "a", "an", "that", "and", "to")
+        if loose and not words[at].broken:
+            continue
         found = _joined(words[at:], words[size:at], texts_of(words[:size]), when, hearing)
         if found is not None:
             return found
@@ -102,8 +105,6 @@ def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Heari
     if not subject or len(subject) > LONGEST_NAME:
         return None
     if not told or told[-1].text in ("to", "of", "by", "and", "from"):
-        return None
-    if told[0].text in ("it", "the", "a", "an", "that", "and", "to") and not told[0].broken:
         return None
     texts = texts_of(subject)
     if texts in ((("you",), ("i",), ("we",), ("the",))):

@@ -102,7 +102,8 @@ def read_motion(
         rest = [tag for tag in tags if tag.kind in _WAYS]
         if paced is None:
             return None
-        return Reading((paced,), unexplained + sum(t.kind not in _UPDOWN for t in rest))
+        noun = "speed" in kinds
+        return Reading((paced,), unexplained + sum(t.kind not in _UPDOWN or not noun for t in rest))
     ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
     if not ways:
         return None
@@ -115,6 +116,8 @@ def read_motion(
             return None
         acts.append(act)
     bare = len(tags) > 1 and not _said_motion(kinds) and "skip" in kinds
+    if bare and _odd(kinds) and len(groups) > 1:
+        return None
     return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0))
 
 

@@ -72,8 +72,8 @@ def _head(words: Words, book: Phrasebook) -> int:
     for size in range(min(8, len(words) - 1), 0, -1):
         if texts[:size] in book.opening:
             return size
-    if len(words) > 1 and words[1].broken and texts[0] in ("right", "no", "yes", "good", "yeah"):
-        return 0
+    if len(words) > 1 and words[1].broken and texts[0] in ("right", "good", "fine", "great"):
+        return 1
     return 0
 
 

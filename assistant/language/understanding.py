@@ -36,6 +36,7 @@ from assistant.model.teacher_acts import (
     Affirm,
     Again,
     Approve,
+    Asked,
     Assign,
     Cue,
     Deny,
@@ -224,11 +225,15 @@ def _one(parse: Parse, listening: Listening) -> Parse:
 
 def _answered(words: Words, hearing: Hearing) -> Parse:
     """Return an answer to an open question, unless the words are a command of their own."""
-    asked = hearing.listening.asked or "goal"
+    asked: Asked = hearing.listening.asked or "goal"
     bare = trimmed(words, hearing.book)
     for told in dict.fromkeys((words, bare)):
         parse = _command(told, hearing)
-        if parse is not None and parse.score >= LIKELY and not _answering(parse):
+        if (
+            parse is not None
+            and parse.score >= LIKELY
+            and not _answering(parse, bare, asked, hearing)
+        ):
             return parse
     texts = set(texts_of(words))
     chatting = (
@@ -243,9 +248,11 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
 
 
-def _answering(parse: Parse) -> bool:
+def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:
     """Tell acts whose words may as well be an answer, such as the name of a step."""
     act = parse.acts[0]
+    if isinstance(act, Unknown):
+        return wrapped(bare, asked, hearing.book)
     if isinstance(act, _STRUCTURE):
         return parse.score < SURE
     return isinstance(act, _NOT_ANSWERS)

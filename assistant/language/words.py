@@ -19,6 +19,10 @@ _SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.
 _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
     (0x2018, 0x2019, 0xB4, 0x60), "'"
 )
+# What follows "is" rather than an owner: "the job's called", "the block's too high".
+_AFTER_IS = frozenset(
+    ["called", "named", "the", "a", "an", "too", "not", "in", "on", "at", "about", "to", "just", "still", "now", "done", "over", "moving", "going"]
+)
 MOST_CHARACTERS = 2000
 
 
@@ -97,6 +101,9 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     found: list[Word] = []
     for word in words:
         pair = f"{found[-1].text} {word.text}" if found and not word.broken else ""
+        if found and found[-1].text.endswith("'s") and word.text in _AFTER_IS:
+            stem = found[-1].text.removesuffix("'s")
+            found[-1:] = [Word(stem, found[-1].said, found[-1].broken), Word("is", "")]
         if pair in contractions:
             first, *rest = contractions[pair]
             together = f"{found[-1].said} {word.said}"
