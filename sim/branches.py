@@ -22,7 +22,9 @@ JUMP_RAD = 0.5
 NARROW_RAD = math.radians(3.0)
 """A branch that comes so close to a limit is taken only if the others are a second slower."""
 SINGULAR_RAD = math.radians(1.0)
-"""Below this angle of joint 5 the wrist is treated as singular at the ends of a path."""
+"""Below this angle of joint 5 the wrist is near its singularity."""
+STRAIGHT_RAD = 1e-6
+"""Below this angle of joint 5 joints 4 and 6 may share their turn: the hand stays in place."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,7 +72,7 @@ def candidates(found: Answers, flags: Flags, start: Array | None) -> list[int]:
         q = found.q[held, branch]
         if start is not None:
             q = np.concatenate([start[None], q])
-        elif abs(q[0, 4]) < SINGULAR_RAD:
+        elif abs(q[0, 4]) < STRAIGHT_RAD:
             q = np.concatenate([shared_turn(q[0])[None], q[1:]])
         travel = np.sum(np.max(np.abs(np.diff(q, axis=0)) / a465.SPEEDS, axis=1))
         return float(travel + 2.0 * wrong[branch] + (least[branch] < NARROW_RAD))

@@ -25,7 +25,7 @@ from assistant.ports import ArmLook
 from sim import a465
 from sim.branches import (
     JUMP_RAD,
-    SINGULAR_RAD,
+    STRAIGHT_RAD,
     Answers,
     answers,
     candidates,
@@ -141,7 +141,7 @@ def _start_joints(work: _Work, branch: int) -> Array:
         return work.start
     q = work.found.q[0, branch]
     # Both signs of the wrist meet in its singularity: the first motion then chooses.
-    return shared_turn(q) if abs(q[4]) < SINGULAR_RAD else q
+    return shared_turn(q) if abs(q[4]) < STRAIGHT_RAD else q
 
 
 def _end_joints(work: _Work, branch: int) -> Array:
