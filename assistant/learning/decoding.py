@@ -69,13 +69,13 @@ def decode(lattice: Lattice) -> Reading:
     """Return the best reading and the probabilities of its parts."""
     score, nodes, taken = _best(lattice)
     ahead, ahead_skipped = _forward(lattice)
-    behind_skipped = _backward(lattice)
+    behind = _backward(lattice)
     total = float(ahead_skipped[-1, -1])
-    cut = _logsum(ahead + behind_skipped, 1) - total
+    cut = _logsum(ahead + behind, 1) - total
     step = np.full((len(lattice.cuts), lattice.steps.shape[2]), -np.inf)
     for k in range(1, len(lattice.cuts)):
         into = ahead_skipped[:k, :-1] + lattice.steps[:k, k, :]
-        step[k] = _logsum(into, 0) + lattice.cuts[k] + behind_skipped[k, 1:] - total
+        step[k] = _logsum(into, 0) + lattice.cuts[k] + behind[k, 1:] - total
     return Reading(
         score,
         total,
@@ -135,6 +135,11 @@ def _logsum(values: Array, axis: int) -> Array:
 
 
 def _forward(lattice: Lattice) -> tuple[Array, Array]:
+    """Return what leads to an instant: before skipping, and with skips taken there.
+
+    Primitives are skipped right before a named stretch or at the end, nowhere else: so each
+    reading is counted once.
+    """
     n, _, m = lattice.steps.shape
     ahead = np.full((n, m + 1), -np.inf)
     skipped = np.full((n, m + 1), -np.inf)
@@ -143,7 +148,7 @@ def _forward(lattice: Lattice) -> tuple[Array, Array]:
     for k in range(1, n):
         both = np.full((2 * k, m + 1), -np.inf)
         both[:k, 1:] = skipped[:k, :-1] + lattice.steps[:k, k, :]
-        both[k:] = skipped[:k] + lattice.unnamed[:k, k, None]
+        both[k:] = ahead[:k] + lattice.unnamed[:k, k, None]
         ahead[k] = _logsum(both, 0) + lattice.cuts[k]
         skipped[k] = _sum_skips(ahead[k], lattice.skips)
     return ahead, skipped
@@ -157,16 +162,16 @@ def _sum_skips(row: Array, skips: Array) -> Array:
 
 
 def _backward(lattice: Lattice) -> Array:
-    """Return what follows an instant, with skips taken there first."""
+    """Return what follows an instant, skips taken there included."""
     n, _, m = lattice.steps.shape
-    skipped = np.full((n, m + 1), -np.inf)
+    behind = np.full((n, m + 1), -np.inf)
     end = np.full(m + 1, -np.inf)
     end[m] = 0.0
-    skipped[-1] = _sum_skips(end[::-1], lattice.skips[::-1])[::-1]
+    behind[-1] = _sum_skips(end[::-1], lattice.skips[::-1])[::-1]
     for k in range(n - 2, -1, -1):
-        onward = skipped[k + 1 :] + lattice.cuts[k + 1 :, None]
-        both = np.full((2 * len(onward), m + 1), -np.inf)
-        both[: len(onward), :-1] = onward[:, 1:] + lattice.steps[k, k + 1 :, :]
-        both[len(onward) :] = onward + lattice.unnamed[k, k + 1 :, None]
-        skipped[k] = _sum_skips(_logsum(both, 0)[::-1], lattice.skips[::-1])[::-1]
-    return skipped
+        onward = behind[k + 1 :] + lattice.cuts[k + 1 :, None]
+        named = np.full(m + 1, -np.inf)
+        named[:-1] = _logsum(onward[:, 1:] + lattice.steps[k, k + 1 :, :], 0)
+        free = _logsum(onward + lattice.unnamed[k, k + 1 :, None], 0)
+        behind[k] = np.logaddexp(_sum_skips(named[::-1], lattice.skips[::-1])[::-1], free)
+    return behind

@@ -49,19 +49,18 @@ class Stretches:
     extent_m: float
 
 
-def stretches(at_s: Array, evidence: Evidence) -> Stretches:
-    """Return all stretches between the given instants."""
+def stretches(at_s: Array, evidence: Evidence, near_s: float = 1e-6) -> Stretches:
+    """Return all stretches between the given instants; events so near to one are at it."""
     t_s, path = evidence.smoothed.t_s, evidence.smoothed.path
     here = np.clip(np.searchsorted(t_s, at_s), 0, len(t_s) - 1)
     xyz, quats = path[here, :3], path[here, 3:]
     turned = quat_to_rotvec(quat_multiply(quats[None, :], quat_inverse(quats)[:, None]))
     inside: dict[str, Array] = {}
     at_end: dict[str, Array] = {}
-    near = 1e-6
     for kind in ("close", "open"):
         events = np.array([e.at_s for e in evidence.events if e.kind == kind])
-        upto = np.searchsorted(events, at_s + near, side="right").astype(float)
-        before = np.searchsorted(events, at_s - near, side="left").astype(float)
+        upto = np.searchsorted(events, at_s + near_s, side="right").astype(float)
+        before = np.searchsorted(events, at_s - near_s, side="left").astype(float)
         inside[kind] = np.maximum(before[None, :] - upto[:, None], 0.0)
         at_end[kind] = np.broadcast_to((upto - before)[None, :], inside[kind].shape)
     return Stretches(

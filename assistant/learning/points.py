@@ -9,7 +9,7 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.learning.candidates import Evidence
 from assistant.learning.character import character
-from assistant.learning.confidence import calibrated_cut, calibrated_episode
+from assistant.learning.confidence import chance_near, cut_confidence, step_confidence
 from assistant.learning.reading import Understood
 from assistant.learning.validity import validity
 from assistant.learning.votes import overall, peaks, sharpness, vote
@@ -46,24 +46,27 @@ def points(
     understood: Understood,
     evidence: Evidence,
     votes: dict[str, Array],
+    cues_s: Array,
     settings: SegmentationSettings,
 ) -> tuple[SegmentationPoint, ...]:
     """Return kept cuts, internal points of primitives and eliminated points, in order of time."""
     t_s = evidence.smoothed.t_s
     reading, at_s = understood.reading, understood.at_s
-    kept = at_s[list(reading.nodes[1:-1])]
+    seen = evidence.smoothed.gripper_m is not None
+    nodes = list(reading.nodes[1:-1])
+    kept = at_s[nodes]
     found = [
         SegmentationPoint(
-            float(at),
-            calibrated_cut(chance_near(understood, float(at))),
-            _at(votes, t_s, float(at)),
+            float(at_s[node]),
+            cut_confidence(understood, node, cues_s, seen=seen),
+            _at(votes, t_s, float(at_s[node])),
         )
-        for at in kept
+        for node in nodes
     ]
     total = overall(votes, settings.votes.weights)
     edges = np.array([at_s[0], *kept, at_s[-1]])
     for at in peaks(t_s, total, float(np.mean(total))):
-        if np.min(np.abs(edges - at)) < settings.validity.least_s:
+        if np.min(np.abs(edges - at)) < settings.validity.least_s or _one_rest(evidence, at, edges):
             continue
         after = int(np.searchsorted(edges, at))
         halves = ((edges[after - 1], at), (at, edges[after]))
@@ -71,7 +74,7 @@ def points(
         found.append(
             SegmentationPoint(
                 float(at),
-                calibrated_cut(chance_near(understood, float(at))),
+                chance_near(understood, float(at)),
                 _at(votes, t_s, float(at)),
                 kept=valid >= settings.validity.false_below,
                 internal=valid >= settings.validity.false_below,
@@ -91,36 +94,25 @@ def episodes(
     ):
         leaf = understood.leaf(position)
         from_s, to_s = float(at_s[first]), float(at_s[last])
-        chance = _step_chance(understood, first, last, position)
+        chance = step_confidence(understood, first, last, position)
         found.append(
             Episode(
                 from_s,
                 to_s,
                 None if leaf is None else leaves[leaf].name,
-                calibrated_episode(chance),
+                chance,
                 character(evidence.smoothed, from_s, to_s),
             )
         )
     return tuple(found)
 
 
-def chance_near(understood: Understood, at_s: float) -> float:
-    """Return the probability that the reading cuts near an instant."""
-    near = np.abs(understood.at_s - at_s) < 0.25
-    near[0] = near[-1] = False
-    return float(min(np.sum(understood.reading.cut_chances[near]), 1.0))
-
-
-def _step_chance(understood: Understood, first: int, last: int, position: int | None) -> float:
-    """Return the probability that a stretch belongs to a primitive: that it ends there as such."""
-    if position is None:
-        return 0.5
-    chances, at_s = understood.reading.step_chances, understood.at_s
-    ends = float(np.sum(chances[np.abs(at_s - at_s[last]) < 0.25, position]))
-    if first == 0:
-        return min(ends, 1.0)
-    before = chances[np.abs(at_s - at_s[first]) < 0.25]
-    return float(min(ends, np.sum(before[:, : position + 1]), 1.0))
+def _one_rest(evidence: Evidence, at_s: float, edges: Array) -> bool:
+    """Tell whether the hand rests all the way from an instant to the nearest cut."""
+    t_s = evidence.smoothed.t_s
+    low, high = sorted((at_s, float(edges[np.argmin(np.abs(edges - at_s))])))
+    between = evidence.pace[(t_s >= low) & (t_s <= high)]
+    return bool(len(between) and np.max(between) < 0.5 * np.mean(evidence.pace))
 
 
 def _at(votes: dict[str, Array], t_s: Array, at_s: float) -> MappingProxyType[str, float]:

@@ -9,7 +9,8 @@ from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode, Question, SegmentationPoint
 from assistant.model.task import Task, primitives
 
-UNSURE_CUT = 0.5
+UNSURE_CUT = 0.75
+"""Below this confidence the robot asks about a cut."""
 
 
 def questions(

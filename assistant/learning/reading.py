@@ -18,6 +18,8 @@ from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
 
 _NEVER = -1e6
+_AT_TOLD_CUT_S = 0.25
+"""A gripper event so near to a cut that was told belongs to that cut."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -153,7 +155,7 @@ def _read(
     leaves = primitives(task.tree)
     given = settings.decoding
     at_s = np.array([t_s[0], *(spot.at_s for spot in candidates), t_s[-1]])
-    between = stretches(at_s, evidence)
+    between = stretches(at_s, evidence, _AT_TOLD_CUT_S if fixed else 1e-6)
     steps = fits(task, demonstration, evidence, between, settings)
     unnamed = -given.insert + np.where(between.lasting_s < settings.validity.least_s, -3.0, 0.0)
     cuts = np.zeros(len(at_s))

@@ -122,7 +122,7 @@ def _told(
     lag_s = understood.lag.best_s if understood.lag is not None else None
     cues_s = np.array([cue.at_s for cue in demonstration.cues]) - (lag_s or 0.0)
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
-    found = points(understood, evidence, votes, settings)
+    found = points(understood, evidence, votes, cues_s, settings)
     parts = _reassigned(episodes(understood, evidence, leaves), assigned, task)
     return Segmentation(
         points=found,

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
+from scipy.signal import find_peaks
 
 from assistant.geometry import Array, angle_between, distance_between, interpolate
 from assistant.model.settings import VoteSettings
+
+_TREMBLE = 0.02
 
 
 def vote(t_s: Array, path: Array, at_s: Array, sharpness: float, turn_weight_m: float) -> Array:
@@ -81,11 +84,10 @@ def peaks(t_s: Array, total: Array, threshold: float) -> Array:
     Source: paper III-A. A hand that rests gives equal votes over the whole rest: the middle
     of the plateau stands for it. Start and end are no cuts.
     """
-    if len(total) < 3:
+    if len(total) < 3 or float(np.max(total)) <= 0.0:
         return np.zeros(0)
-    changes = np.flatnonzero(np.abs(np.diff(total)) > 1e-12)
-    first = np.concatenate([[0], changes + 1])
-    last = np.concatenate([changes, [len(total) - 1]])
-    level = total[first]
-    higher = (level[1:-1] > level[:-2]) & (level[1:-1] > level[2:]) & (level[1:-1] > threshold)
-    return np.asarray(0.5 * (t_s[first[1:-1]] + t_s[last[1:-1]])[higher])
+    # A resting hand trembles a little, and the votes over its rest with it: still one maximum.
+    found, given = find_peaks(
+        total, height=threshold, prominence=_TREMBLE * float(np.max(total)), plateau_size=1
+    )
+    return np.asarray(0.5 * (t_s[given["left_edges"]] + t_s[given["right_edges"]]))[: len(found)]

@@ -200,10 +200,10 @@ class CueSettings:
     most_lag_s: float = 2.2
     step_s: float = 0.05
     usual_lag_s: float = 0.9
-    usual_lag_spread_s: float = 0.9
+    usual_lag_spread_s: float = 0.6
     jitters_s: tuple[float, ...] = (0.08, 0.15, 0.25)
     false_share: float = 0.15
-    least_missing: float = 0.09
+    least_missing: float = 0.08
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,26 +214,26 @@ class DecodingSettings:
     """
 
     bias: float = -3.3
-    depth: float = 0.75
+    depth: float = 0.87
     deepest: float = 1.9
-    rest: float = 1.55
-    bend: float = 0.54
-    gripper: float = 3.6
+    rest: float = 1.9
+    bend: float = 0.26
+    gripper: float = 2.5
     jolt: float = 1.6
-    part: float = 1.9
+    part: float = 2.6
     heard: float = 0.7
-    direction: float = 2.4
-    still: float = 1.4
+    direction: float = 5.0
+    still: float = 1.6
     wide: float = 8.0
-    turned: float = 0.5
-    idle: float = 0.7
-    nearing: float = 1.1
-    event: float = 4.5
+    turned: float = 1.2
+    idle: float = 2.7
+    nearing: float = 0.72
+    event: float = 3.4
     lasting: float = 0.7
     soon: float = 0.5
-    skip: float = 4.5
+    skip: float = 2.5
     skip_optional: float = 2.0
-    insert: float = 7.0
+    insert: float = 4.5
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,241 @@
+"""Cuts of ours and of others on the same demonstrations; one table.
+
+    python -m tests.benchmarks.bench_segmentation [--people DIR] [--seeds N] [--quick]
+
+DIR holds recordings of people with their truth (folders with NAME.yaml, tree.yaml or
+NAME.tree.yaml, and truth.json). Peers are shown where they are installed: pip install ruptures
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from assistant.errors import WorkFailed
+from assistant.files.demonstrations import read_demonstration
+from assistant.files.tasks import read_task
+from assistant.learning.segmentation import segment
+from assistant.learning.smoothing import Smoothed
+from assistant.model.lesson import Segmentation
+from assistant.model.settings import SegmentationSettings, paper
+from assistant.model.task import Action, Primitive, Subtask, Task, primitives
+from tests.benchmarks import segmentation_peers as peers
+from tests.benchmarks.segmentation_scores import (
+    auroc,
+    brier,
+    calibration_error,
+    f1,
+    interval,
+    matched,
+)
+from tests.generators import generator_a, generator_b
+from tests.generators.shown import Habit, Shown
+
+FIRST_SEED = 90_000
+TOLERANCES_S = (0.25, 0.5)
+Sets = dict[str, list[Shown]]
+HABITS: tuple[Habit, ...] = ("fluent", "slow", "keys")
+
+
+def made_up(seeds: int) -> Sets:
+    sets: Sets = {}
+    for name, generate in (("A", generator_a.generate), ("B", generator_b.generate)):
+        for habit in HABITS:
+            count = seeds if habit == "fluent" else seeds // 2
+            sets[f"{name} {habit}"] = [generate(FIRST_SEED + k, habit) for k in range(count)]
+    return sets
+
+
+def of_people(folder: Path) -> Sets:
+    """Read every folder with a truth.json below a folder."""
+    sets: Sets = {}
+    for truth_file in sorted(folder.rglob("truth.json")):
+        truth = json.loads(truth_file.read_text(encoding="utf-8"))
+        sets[truth_file.parent.name] = [
+            _shown(truth_file.parent, name, told) for name, told in sorted(truth.items())
+        ]
+    return sets
+
+
+def _shown(folder: Path, name: str, told: dict[str, list[float]]) -> Shown:
+    own = folder / f"{name}.tree.yaml"
+    task = read_task(own if own.exists() else folder / "tree.yaml")
+    names = tuple(leaf.name for leaf in primitives(task.tree))[: len(told["cuts"]) + 1]
+    return Shown(read_demonstration(folder / f"{name}.yaml"), task, tuple(told["cuts"]), names)
+
+
+def without_cues(shown: Shown) -> Shown:
+    return replace(shown, demonstration=replace(shown.demonstration, cues=()))
+
+
+def without_introduction() -> SegmentationSettings:
+    """Let every stretch be a step nobody introduced, at no cost."""
+    usual = SegmentationSettings()
+    return replace(usual, decoding=replace(usual.decoding, insert=0.0, skip_optional=0.0))
+
+
+def nothing_told(shown: Shown) -> Shown:
+    leaf = Primitive("anything", Action("free", "anything"), optional=True)
+    return replace(shown, task=Task("unknown", Subtask("unknown", (leaf,))))
+
+
+def other_length(shown: Shown, seed: int, *, longer: bool) -> Shown:
+    """Return the same demonstration with a tree one step too long or too short."""
+    rng = np.random.default_rng(seed)
+    leaves = list(primitives(shown.task.tree))
+    at = int(rng.integers(1, len(leaves)))
+    if longer:
+        way = str(rng.choice(["left", "forward", "up", "down"]))
+        leaves.insert(at, Primitive("one too many", Action("move", way)))
+    else:
+        del leaves[at]
+    return replace(shown, task=replace(shown.task, tree=Subtask("told", tuple(leaves))))
+
+
+def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmentation:
+    try:
+        return segment(shown.demonstration, shown.task, settings)
+    except WorkFailed:
+        return Segmentation((), (), None)
+
+
+Row = tuple[str, Callable[[list[Shown]], list[Sequence[float]]]]
+
+
+def rows(shows: list[Shown], smoothed: list[Smoothed]) -> Iterator[Row]:
+    """Yield every method's name and what it finds."""
+    shift_s = peers.best_shift(shows, TOLERANCES_S[-1])
+
+    def of(cutter: peers.Cutter, cues: bool) -> Callable[[list[Shown]], list[Sequence[float]]]:
+        def find(given: list[Shown]) -> list[Sequence[float]]:
+            found = [cutter(shown, path) for shown, path in zip(given, smoothed, strict=True)]
+            if not cues:
+                return list(found)
+            both = zip(found, given, strict=True)
+            return [peers.with_cues(cuts, shown, shift_s) for cuts, shown in both]
+
+        return find
+
+    def best_of(cutters: list[peers.Cutter]) -> peers.Cutter:
+        def score(cutter: peers.Cutter) -> float:
+            found = of(cutter, False)(shows)
+            pairs = zip(found, shows, strict=True)
+            return f1([matched(cuts, s.cuts_s, TOLERANCES_S[-1]) for cuts, s in pairs])
+
+        return max(cutters, key=score)
+
+    yield "cues alone, best constant", lambda given: [peers.shifted(s, shift_s) for s in given]
+    simple: dict[str, peers.Cutter] = {
+        "MSV minima": peers.msv_minima,
+        "zero velocity": peers.zero_velocity,
+    }
+    named = simple | {name: best_of(cs) for name, cs in peers.ruptures_cutters().items()}
+    for name, cutter in named.items():
+        yield f"{name}, count", of(cutter, False)
+        yield f"{name}, count + cues", of(cutter, True)
+    yield "vote, paper's constants", lambda given: [ours(s, paper()).cuts_s for s in given]
+    bare = without_introduction()
+    yield (
+        "ours without introduction",
+        lambda given: [ours(nothing_told(s), bare).cuts_s for s in given],
+    )
+    yield "ours without cues", lambda given: [ours(without_cues(s)).cuts_s for s in given]
+    yield "ours", lambda given: [ours(s).cuts_s for s in given]
+    for name, longer in (("ours, tree one step short", False), ("ours, tree one step long", True)):
+        yield (
+            name,
+            lambda given, longer=longer: [  # type: ignore[misc]
+                ours(other_length(s, k, longer=longer)).cuts_s for k, s in enumerate(given)
+            ],
+        )
+
+
+def episodes_right(shows: list[Shown], *, true_cuts: bool) -> float:
+    """Return the share of true episodes whose middle is given its own primitive."""
+    right = total = 0
+    for shown in shows:
+        given = shown.cuts_s if true_cuts else None
+        try:
+            found = segment(shown.demonstration, shown.task, cuts_s=given).episodes
+        except WorkFailed:
+            found = ()
+        edges = [0.0, *shown.cuts_s, float(shown.demonstration.recording.t_s[-1])]
+        for a, b, name in zip(edges[:-1], edges[1:], shown.names, strict=True):
+            total += 1
+            middle = 0.5 * (a + b)
+            right += any(e.from_s <= middle <= e.to_s and e.primitive == name for e in found)
+    return right / max(total, 1)
+
+
+def confidence_line(shows: list[Shown]) -> str:
+    """Return calibration of cuts and how well questions find the lessons that went wrong."""
+    chances, right, asked = [], [], {True: [0, 0], False: [0, 0]}
+    for shown in shows:
+        found = ours(shown)
+        cuts = [p for p in found.points if p.kept and not p.internal]
+        near = [min((abs(p.at_s - t) for t in shown.cuts_s), default=9.0) <= 0.5 for p in cuts]
+        chances += [p.confidence for p in cuts]
+        right += near
+        hits, mine, true = matched(found.cuts_s, shown.cuts_s, 0.5)
+        tally = asked[hits == mine == true]
+        tally[0] += any(
+            q.asked in ("missing_step", "confirm_segmentation") and q.about != "hand"
+            for q in found.questions
+        )
+        tally[1] += 1
+    p, y = np.array(chances), np.array(right, dtype=float)
+    wrong, fine = asked[False], asked[True]
+    return (
+        f"ECE {calibration_error(p, y):.3f}  Brier {brier(p, y):.3f}  AUROC {auroc(p, y):.3f}  "
+        f"asked in {wrong[0]}/{wrong[1]} wrong lessons, in {fine[0]}/{fine[1]} right ones"
+    )
+
+
+def report(name: str, shows: list[Shown], *, quick: bool) -> None:
+    cuts = sum(len(shown.cuts_s) for shown in shows)
+    print(f"\n{name}: {len(shows)} demonstrations, {cuts} cuts")
+    print(
+        f"  {'method':34}"
+        + "".join(f"  F1 ±{t} s [95 %]      " for t in TOLERANCES_S)
+        + "  ms each"
+    )
+    smoothed = peers.smoothed_of(shows)
+    for label, find in rows(shows, smoothed):
+        if quick and not label.startswith(("ours", "cues")):
+            continue
+        began = time.perf_counter()
+        found = find(shows)
+        each_ms = 1000.0 * (time.perf_counter() - began) / len(shows)
+        line = f"  {label:34}"
+        for within_s in TOLERANCES_S:
+            pairs = zip(found, shows, strict=True)
+            counts = [matched(cut, shown.cuts_s, within_s) for cut, shown in pairs]
+            low, high = interval(counts)
+            line += f"  {f1(counts):.3f} [{low:.2f}, {high:.2f}]  "
+        print(line + f"  {each_ms:7.1f}", flush=True)
+    own, true = (episodes_right(shows, true_cuts=given) for given in (False, True))
+    print(f"  episodes right: on own cuts {own:.3f}, on true cuts {true:.3f}")
+    print(f"  confidence: {confidence_line(shows)}", flush=True)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--people", type=Path, help="folder of recordings of people")
+    parser.add_argument("--seeds", type=int, default=40)
+    parser.add_argument("--quick", action="store_true", help="ours and cues only")
+    given = parser.parse_args()
+    sets = made_up(given.seeds)
+    if given.people is not None:
+        sets |= of_people(given.people)
+    for name, shows in sets.items():
+        report(name, shows, quick=given.quick)
+
+
+if __name__ == "__main__":
+    main()
