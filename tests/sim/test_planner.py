@@ -8,7 +8,14 @@ from itertools import islice
 import numpy as np
 import pytest
 
-from assistant.geometry import Array, angle_between, compose, distance_between, inverse
+from assistant.geometry import (
+    Array,
+    angle_between,
+    compose,
+    distance_between,
+    inverse,
+    pose_to_mm_deg,
+)
 from assistant.model.motion import HandPath, JointPath, Refusal
 from assistant.model.scene import Obstacle, Scene
 from assistant.model.setup import Place, Setup
@@ -67,6 +74,17 @@ def test_the_exact_stretches_are_followed() -> None:
 
 def test_ready_is_left_from_its_own_joints() -> None:
     np.testing.assert_allclose(planned(scene(), TABLE1[0]).q[0], a465.READY, atol=1e-9)
+
+
+@pytest.mark.parametrize("bend_deg", [0.0, 0.01, 0.3, 0.9, 3.0])
+def test_a_start_near_the_wrists_singularity_keeps_its_pose(bend_deg: float) -> None:
+    q = np.array(a465.READY) + np.deg2rad([10.0, 5.0, -8.0, 50.0, bend_deg, -20.0])
+    xyz, rpy = pose_to_mm_deg(forward(q))
+    start = Place("hand", (xyz[0], xyz[1], xyz[2]), (rpy[0], rpy[1], rpy[2]))
+    told = replace(TABLE1[0], robot_start=start)
+    begun = forward(planned(scene(), told).q[0])
+    assert distance_between(begun, start.pose) < 1e-9
+    assert angle_between(begun, start.pose) < 1e-5
 
 
 def test_the_same_task_is_always_planned_the_same() -> None:
