@@ -1,0 +1,214 @@
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from assistant.errors import BadInput, NothingLearned
+from assistant.learning.segmentation import segment
+from assistant.model.demonstration import Recording, Spoken
+from assistant.model.settings import paper
+from assistant.model.setup import Setup
+from assistant.model.task import Action, Primitive, Subtask, primitives
+from tests.generators import generator_a, generator_b
+from tests.generators.shown import Habit, Shown
+
+SEEDS = range(70_000, 70_004)
+
+
+def near(shown: Shown, within_s: float = 0.5) -> tuple[int, int]:
+    """Return how many true cuts were found, and how many there are."""
+    found = np.array(segment(shown.demonstration, shown.task).cuts_s)
+    return sum(bool(np.any(np.abs(found - cut) <= within_s)) for cut in shown.cuts_s), len(
+        shown.cuts_s
+    )
+
+
+@pytest.mark.parametrize("habit", ["fluent", "slow"])
+@pytest.mark.parametrize("generate", [generator_a.generate, generator_b.generate])
+def test_most_cuts_are_found(generate: object, habit: Habit) -> None:
+    assert callable(generate)
+    tallies = [near(generate(seed, habit)) for seed in SEEDS]
+    hits, total = np.sum(np.array(tallies), axis=0)
+    assert hits / total >= 0.85
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_told_cuts_are_taken_and_assigned_in_order(seed: int) -> None:
+    shown = generator_a.generate(seed)
+    found = segment(shown.demonstration, shown.task, cuts_s=shown.cuts_s)
+    assert found.cuts_s == pytest.approx(shown.cuts_s)
+    assert [episode.primitive for episode in found.episodes] == list(shown.names)
+
+
+def test_a_gripper_cut_is_at_its_instant() -> None:
+    shown = generator_a.generate(70_000)
+    recording = shown.demonstration.recording
+    assert recording.gripper_m is not None
+    half = recording.gripper_m < 0.06
+    closed_s = float(recording.t_s[int(np.argmax(half))])
+    found = np.array(segment(shown.demonstration, shown.task).cuts_s)
+    assert np.min(np.abs(found - closed_s)) <= 0.04
+
+
+def test_points_tell_who_voted_and_how_sure() -> None:
+    shown = generator_a.generate(70_001)
+    found = segment(shown.demonstration, shown.task)
+    for point in found.points:
+        assert 0.0 <= point.confidence <= 1.0
+        assert set(point.votes) == {"gripper", "speed", "cue", "jolt"}
+        assert all(0.0 <= told <= 1.0 for told in point.votes.values())
+        assert not (point.internal and not point.kept)
+    assert [p.at_s for p in found.points] == sorted(p.at_s for p in found.points)
+    assert len(found.vote) == len(found.vote_t_s)
+    assert np.max(found.vote) <= sum((0.52, 0.19, 0.29, 0.29))
+
+
+def test_episodes_cover_the_demonstration() -> None:
+    shown = generator_b.generate(70_002)
+    found = segment(shown.demonstration, shown.task)
+    t_s = shown.demonstration.recording.t_s
+    assert found.episodes[0].from_s == t_s[0]
+    assert found.episodes[-1].to_s == t_s[-1]
+    for before, after in zip(found.episodes[:-1], found.episodes[1:], strict=True):
+        assert before.to_s == after.from_s
+    assert len(found.cuts_s) == len(found.episodes) - 1
+
+
+def test_moving_and_scaling_time_changes_nothing() -> None:
+    """The same demonstration elsewhere and on another clock is cut at the same places."""
+    shown = generator_a.generate(70_003)
+    demonstration = replace(shown.demonstration, setup=Setup())
+    recording = demonstration.recording
+    path = recording.path.copy()
+    path[:, :3] += [0.1, -0.2, 0.05]
+    later = Recording(recording.t_s + 100.0, path, recording.gripper_m)
+    cues = tuple(Spoken(cue.at_s + 100.0, cue.say) for cue in demonstration.cues)
+    moved = replace(demonstration, recording=later, cues=cues)
+    first, second = segment(demonstration, shown.task), segment(moved, shown.task)
+    assert np.array(second.cuts_s) - 100.0 == pytest.approx(np.array(first.cuts_s), abs=0.02)
+
+
+def test_a_step_never_shown_is_asked_for() -> None:
+    shown = generator_a.generate(70_000)
+    leaves = list(primitives(shown.task.tree))
+    extra = Primitive("turn it over", Action("turn", "clockwise"))
+    task = replace(shown.task, tree=Subtask("t", (*leaves[:3], extra, *leaves[3:])))
+    found = segment(shown.demonstration, task)
+    asked = [q for q in found.questions if q.reason == "never_shown"]
+    assert [question.about for question in asked] == ["turn it over"]
+    assert asked[0].asked == "missing_step"
+    assert asked[0].facts["introduced"] == len(leaves) + 1
+
+
+def test_a_step_never_introduced_is_named() -> None:
+    shown = generator_a.generate(70_001)
+    leaves = [x for x in primitives(shown.task.tree) if x.action.verb != "hand"]
+    task = replace(shown.task, tree=Subtask("t", tuple(leaves[:1])))
+    found = segment(shown.demonstration, task)
+    assert any(question.reason == "never_introduced" for question in found.questions)
+    assert any(episode.primitive is None for episode in found.episodes)
+
+
+def test_parts_shown_in_another_order_are_recognized() -> None:
+    seed = next(k for k in range(70_000, 70_100) if len(generator_a.generate(k).names) >= 8)
+    shown = generator_a.generate(seed)
+    leaves = primitives(shown.task.tree)
+    one = tuple(leaf for leaf in leaves if leaf.name.endswith("1"))
+    two = tuple(leaf for leaf in leaves if leaf.name.endswith("2"))
+    parts = (Subtask("second", two), Subtask("first", one))
+    places = generator_a.generate(seed).demonstration.setup.places
+    if not places:
+        shown = replace(shown, demonstration=replace(shown.demonstration, setup=Setup()))
+    task = replace(shown.task, tree=Subtask("both", parts, order="any"))
+    found = segment(shown.demonstration, task)
+    named = [episode.primitive for episode in found.episodes]
+    if places:
+        assert named == list(shown.names)
+    assert len(named) == len(shown.names)
+
+
+def test_assignments_of_the_teacher_are_certain() -> None:
+    shown = generator_a.generate(70_002)
+    name = shown.names[2]
+    found = segment(shown.demonstration, shown.task, cuts_s=shown.cuts_s, assigned=[(2, name)])
+    assert found.episodes[1].primitive == name
+    assert found.episodes[1].probability == 1.0
+
+
+@pytest.mark.parametrize(("number", "name"), [(99, "known"), (1, "unknown to the tree")])
+def test_wrong_assignments_are_refused(number: int, name: str) -> None:
+    shown = generator_a.generate(70_002)
+    told = shown.names[0] if name == "known" else name
+    with pytest.raises(BadInput):
+        segment(shown.demonstration, shown.task, assigned=[(number, told)])
+
+
+def test_cuts_outside_the_demonstration_are_refused() -> None:
+    shown = generator_a.generate(70_002)
+    with pytest.raises(BadInput, match="not within"):
+        segment(shown.demonstration, shown.task, cuts_s=[-1.0])
+
+
+def test_without_the_gripper_a_question_says_so() -> None:
+    shown = generator_a.generate(70_003)
+    recording = shown.demonstration.recording
+    bare = replace(shown.demonstration, recording=Recording(recording.t_s, recording.path))
+    found = segment(bare, shown.task)
+    assert any(question.reason == "no_gripper" for question in found.questions)
+    assert len(found.cuts_s) >= len(shown.names) - 2
+
+
+def test_a_demonstration_that_ends_holding_is_asked_about() -> None:
+    shown = generator_a.generate(70_000)
+    recording = shown.demonstration.recording
+    assert recording.gripper_m is not None
+    stop = int(np.argmax(recording.gripper_m < 0.05)) + 100
+    short = Recording(recording.t_s[:stop], recording.path[:stop], recording.gripper_m[:stop])
+    found = segment(replace(shown.demonstration, recording=short), shown.task)
+    assert any(question.reason == "ends_holding" for question in found.questions)
+
+
+def test_a_hand_that_never_closes_teaches_nothing() -> None:
+    shown = generator_a.generate(70_000)
+    recording = shown.demonstration.recording
+    opened = Recording(recording.t_s, recording.path, np.full(len(recording.t_s), 0.08))
+    with pytest.raises(NothingLearned, match="never closes"):
+        segment(replace(shown.demonstration, recording=opened), shown.task)
+
+
+def test_two_samples_and_no_motion_teach_nothing() -> None:
+    shown = generator_a.generate(70_000)
+    recording = shown.demonstration.recording
+    two = Recording(recording.t_s[:2], recording.path[:2])
+    with pytest.raises(NothingLearned, match="2 samples"):
+        segment(replace(shown.demonstration, recording=two), shown.task)
+    still = Recording(recording.t_s, np.tile(recording.path[0], (len(recording.t_s), 1)))
+    with pytest.raises(NothingLearned, match="never moves"):
+        segment(replace(shown.demonstration, recording=still), shown.task)
+    with pytest.raises(NothingLearned, match="no steps"):
+        segment(shown.demonstration, replace(shown.task, tree=Subtask("empty")))
+
+
+def test_very_many_samples_are_cut_alike() -> None:
+    shown = generator_a.generate(70_002)
+    recording = shown.demonstration.recording
+    assert recording.gripper_m is not None
+    t_s = np.linspace(recording.t_s[0], recording.t_s[-1], 60_000)
+    columns = [np.interp(t_s, recording.t_s, column) for column in recording.path.T]
+    path = np.stack(columns, axis=1)
+    path[:, 3:] /= np.linalg.norm(path[:, 3:], axis=1, keepdims=True)
+    dense = Recording(t_s, path, np.interp(t_s, recording.t_s, recording.gripper_m))
+    found = segment(replace(shown.demonstration, recording=dense), shown.task)
+    usual = segment(shown.demonstration, shown.task)
+    assert found.cuts_s == pytest.approx(usual.cuts_s, abs=0.15)
+
+
+def test_the_papers_method_stays_available() -> None:
+    shown = generator_a.generate(70_001)
+    found = segment(shown.demonstration, shown.task, paper())
+    assert found.cue_lag_s is None
+    assert len(found.cuts_s) >= 1
+    assert {episode.primitive for episode in found.episodes} <= set(shown.names)
+    assert set(found.signal_votes) == {"gripper", "speed", "cue"}
