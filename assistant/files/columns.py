@@ -8,6 +8,7 @@ COLUMNS = ("t_s", "x_m", "y_m", "z_m", "qx", "qy", "qz", "qw", "gripper_m")
 NEEDED = COLUMNS[:-1]
 LONGEST, MOST = 40, 40
 """Of names and columns that are looked at; a file with more is something else."""
+LEAVE_OUT = "leave it out"
 _SCALES = {"mm": "divide by 1000", "cm": "divide by 100", "um": "divide by 1e6"}
 _TIMES = {"ms": "divide by 1000", "us": "divide by 1e6", "ns": "divide by 1e9"}
 _OTHER_NAMES = {
@@ -30,11 +31,10 @@ def columns_of(header: list[str], where: str) -> list[int]:
     names = [name.strip().strip('"').strip()[:LONGEST] for name in header[:MOST]]
     if any(_is_number(name) for name in names) or (len(names) == 1 and names[0] not in COLUMNS):
         raise BadInput.one(where, _no_header(names), f"the first line is {','.join(COLUMNS)}")
-    problems = [
-        Problem(where, f"column {name!r} is not known", _meant(name))
-        for name in names
-        if name not in COLUMNS
-    ]
+    unknown = [name for name in dict.fromkeys(names) if name not in COLUMNS]
+    if all(name in unknown and _meant(name) == LEAVE_OUT for name in names):
+        raise BadInput.one(where, "this is no recording", f"the first line is {','.join(COLUMNS)}")
+    problems = [Problem(where, f"column {name!r} is not known", _meant(name)) for name in unknown]
     twice = sorted({name for name in names if names.count(name) > 1})
     problems += [Problem(where, f"column {name!r} stands there twice") for name in twice]
     missing = [name for name in NEEDED if name not in names]
@@ -70,7 +70,7 @@ def _meant(name: str) -> str:
         return f"call it {other}{unit}"
     if low in COLUMNS:
         return f"call it {low}"
-    return "leave it out"
+    return LEAVE_OUT
 
 
 def _is_number(text: str) -> bool:

@@ -98,7 +98,8 @@ def test_what_cannot_be_meant_is_told(old: str, new: str, where: str, told: str)
         ("\n".join([HEADER, ROWS[0]]), "only 1 sample;"),
         (GOOD.replace(",", ";"), "separated by semicolons"),
         (GOOD.replace(",", "\t"), "separated by tabs"),
-        ("Dear diary,\ntoday\n", "'Dear diary' is not known"),
+        ("Dear diary,\ntoday\n", "this is no recording"),
+        ("abc," * 100_000, "this is no recording"),
         ("Dear diary\n", "this is no recording"),
     ],
 )
