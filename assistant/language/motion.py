@@ -121,6 +121,7 @@ def read_motion(
     return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0))
 
 
+_TIMES = frozenset(("times", "as", "twice", "double", "triple", "thrice", "fold", "x", "speed"))
 _UPDOWN = frozenset(("up", "down", "up-er", "down-er", "high", "low", "lower", "raise"))
 _SAYING = frozenset(
     ["turn", "tilt", "move", "quantity", "little", "much", "more", "less", "too", "not", "enough"]
@@ -212,6 +213,8 @@ def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
     if pace is None:
         pace = _pace_of_noun(kinds)
     quantity = next((tag.quantity for tag in tags if tag.quantity), None)
+    if quantity is not None and quantity.kind == "" and quantity.value >= 1:
+        quantity = quantity if _TIMES & set(words) else None
     if quantity is not None and quantity.kind in ("ratio", ""):
         return AdjustSpeed(factor=_factor(quantity, pace, words))
     if pace is None:

@@ -16,6 +16,17 @@ LONGEST_NAME = 7
 _NOBODY = frozenset(
     ("there", "it", "that", "this", "what", "which", "who", "they", "everything", "it is", "it's")
 )
+_NO_NAMES = (
+    "it ",
+    "them ",
+    "that ",
+    "named ",
+    "called ",
+    "between ",
+    "at the ",
+    "after ",
+    "before ",
+)
 _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 
 
@@ -62,9 +73,10 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
         else:
             several = sentence.extra == "list"
             value, trust = _names(part, hearing) if several else _name(part, limit, hearing)
-            if value is None or (start == 0 and value in _NOBODY):
+            nobody = value in _NOBODY and (start == 0 or sentence.act != "rename")
+            if value is None or nobody:
                 return None
-            if isinstance(value, str) and value.startswith(("it ", "them ", "that ")):
+            if isinstance(value, str) and value.startswith(_NO_NAMES):
                 return None
             slots[name] = value
             score = min(score, trust)
@@ -162,6 +174,10 @@ def _refers(texts: Phrase, hearing: Hearing) -> bool:
 
 
 def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, float]:
+    counted = _first_two(texts_of(words))
+    if counted is not None:
+        found_two = [_name(words_in(one), "", hearing) for one in counted]
+        return tuple(str(value) for value, _ in found_two), min(t for _, t in found_two)
     parts: list[list[Word]] = [[]]
     for word in words:
         if word.text in ("and", "or", "with", "plus", "both", "either", "nor"):
@@ -177,6 +193,21 @@ def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, floa
     if len(values) < 2 or len(values) < len(found):
         return None, 0.0
     return _numbered(values, words, hearing), min(trust for _, trust in found)
+
+
+def _first_two(texts: Phrase) -> tuple[str, ...] | None:
+    """Read "the first two steps" and "steps two and three"."""
+    bare = without_article(texts)
+    if bare[:2] == ("first", "two"):
+        return "first step", "second step"
+    if len(bare) == 4 and bare[0] in ("steps", "subtasks", "parts") and bare[2] in ("and", "or"):
+        return f"step {bare[1]}", f"step {bare[3]}"
+    return None
+
+
+def words_in(text: str) -> Words:
+    """Return plain words of a text."""
+    return tuple(Word(one, one) for one in text.split())
 
 
 def _numbered(values: tuple[str, ...], words: Words, hearing: Hearing) -> tuple[str, ...]:

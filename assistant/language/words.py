@@ -21,7 +21,27 @@ _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
 )
 # What follows "is" rather than an owner: "the job's called", "the block's too high".
 _AFTER_IS = frozenset(
-    ["called", "named", "the", "a", "an", "too", "not", "in", "on", "at", "about", "to", "just", "still", "now", "done", "over", "moving", "going"]
+    [
+        "called",
+        "named",
+        "the",
+        "a",
+        "an",
+        "too",
+        "not",
+        "in",
+        "on",
+        "at",
+        "about",
+        "to",
+        "just",
+        "still",
+        "now",
+        "done",
+        "over",
+        "moving",
+        "going",
+    ]
 )
 MOST_CHARACTERS = 2000
 
