@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue.asking import PRACTICE, ask, tell
-from assistant.dialogue.effects import Keep
+from assistant.dialogue.keeping import save
 from assistant.dialogue.state import (
     Dialogue,
     Ready,
@@ -14,9 +14,9 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import (
     Turn,
+    first,
     line,
     say,
-    then,
 )
 from assistant.model.robot_acts import About, RobotAct
 
@@ -36,10 +36,7 @@ def satisfied(dialogue: Dialogue) -> Turn:
     told = line("done", "agreed", about=known, task=dialogue.known.name)
     if not agreed.unsaved and agreed.saved_as:
         return tell(agreed, told)
-    name = agreed.saved_as or dialogue.known.name
-    if name in agreed.saved and name != agreed.saved_as:
-        return tell(agreed, told, line("told", "save_by_name", name=name))
-    return then(say(agreed, told), Keep(dialogue.known.task, name, overwrite=bool(agreed.saved_as)))
+    return first(say(agreed, told)[1], save(agreed, None))
 
 
 def disagreement(dialogue: Dialogue) -> RobotAct | None:

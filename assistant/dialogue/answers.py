@@ -16,14 +16,14 @@ from assistant.dialogue.naming import (
     things_in,
     tidy_name,
 )
-from assistant.dialogue.sketch import Sketch, at, counted, names, put, removed, with_parts
+from assistant.dialogue.sketch import Sketch, at, counted, names, put, with_parts
 from assistant.dialogue.state import Introducing, Knowledge
 from assistant.dialogue.turn import line
 from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.bodies import read_body
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body
-from assistant.model.task import Action, Index, TaskObject
+from assistant.model.task import Action, Index
 
 ASSUMED_MM = (60.0, 40.0, 100.0)
 """Size of a thing whose size the teacher does not know: the shipped block's."""
@@ -221,14 +221,3 @@ def with_body(known: Knowledge, thing: str, shape: str, size_mm: tuple[float, ..
         grasp_xyz_mm=(-134.1, 0.0, height),
     )
     return replace(known, scene=replace(known.scene, bodies={**known.scene.bodies, thing: body}))
-
-
-def forgotten(known: Knowledge, thing: str) -> Knowledge:
-    """Return what is known without a thing of the task."""
-    left: tuple[TaskObject, ...] = tuple(one for one in known.objects or () if one.name != thing)
-    return replace(known, objects=left)
-
-
-def without_part(known: Knowledge, index: Index) -> Knowledge:
-    """Return what is known without a node."""
-    return replace(known, root=removed(known.root, index))

@@ -71,6 +71,9 @@ def _ready(dialogue: Dialogue) -> RobotAct:
     topic = f"ready_{dialogue.pace}" if not dialogue.agreed else "ready_agreed"
     if topic == "ready_slow" and dialogue.runs:
         topic = "ready_slow_again"
+    refused = dialogue.run is not None and dialogue.run.setup == dialogue.known.setup
+    if dialogue.refusal is not None and refused:
+        topic = "ready_refused"
     return line(
         "ask",
         topic,

@@ -15,7 +15,7 @@ from assistant.dialogue.explaining import explain, show
 from assistant.dialogue.finding import with_name
 from assistant.dialogue.general import general
 from assistant.dialogue.naming import number_of, text_of
-from assistant.dialogue.replying import in_state, unknowing
+from assistant.dialogue.replying import in_state, told_steps, unknowing
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -44,6 +44,9 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
         return _stop(dialogue)
     if unknowing(dialogue, words.text):
         return one_question(act_on_all(dialogue, (acts.Deny(),), words))
+    steps = told_steps(dialogue, words.text, meant)
+    if steps:
+        return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
     if event.understanding.confidence < SAFETY.act_confidence:
         return _doubted(dialogue, meant, words)
     return one_question(act_on_all(dialogue, meant, words))

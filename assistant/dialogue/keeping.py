@@ -11,7 +11,7 @@ from assistant.dialogue.correcting import plain_feedback
 from assistant.dialogue.effects import Arrange, Halt, Keep, Leave, Load
 from assistant.dialogue.events import Kept, Loaded
 from assistant.dialogue.sketch import from_tree, names
-from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge, Pending
+from assistant.dialogue.state import Closed, Dialogue, Knowledge, Pending
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import About
@@ -165,8 +165,3 @@ def arrange_if_changed(before: Knowledge, dialogue: Dialogue) -> Turn:
     if (known.setup, known.scene) == (before.setup, before.scene):
         return dialogue, ()
     return dialogue, (Arrange(known.setup, known.scene),)
-
-
-def is_introducing(dialogue: Dialogue) -> bool:
-    """Whether the task is still being introduced."""
-    return isinstance(dialogue.state, Introducing)

@@ -68,10 +68,22 @@ def steps_in(value: Value, room: int) -> tuple[str, ...]:
     return tuple(filter(None, map(tidy, pieces)))
 
 
+def _verbs() -> set[str]:
+    """Return the words that begin what a teacher says of an action."""
+    entries = (*hints("actions"), *hints("guesses"))
+    return {phrase.split()[0] for entry in entries for phrase in entry["phrases"]}
+
+
+def listed_steps(text: str, room: int = 2) -> tuple[str, ...]:
+    """Return the steps of a text that plainly lists several, each beginning with its verb."""
+    steps = steps_in(text, room)
+    plain = all(step.lower().split()[0] in _verbs() for step in steps)
+    return steps if len(steps) > 1 and plain else ()
+
+
 def _at_verbs(text: str, room: int) -> list[str]:
     """Return the steps of a list heard without commas, if just as many are missing."""
-    entries = (*hints("actions"), *hints("guesses"))
-    verbs = {phrase.split()[0] for entry in entries for phrase in entry["phrases"]}
+    verbs = _verbs()
     pieces: list[list[str]] = []
     for word in text.split():
         if word.lower() in verbs or not pieces:

@@ -9,8 +9,9 @@ from assistant.dialogue import agreeing, practicing, reviewing, showing
 from assistant.dialogue.answers import ASSUMED_MM, answer, with_body
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.finding import find, name_at
-from assistant.dialogue.naming import Value, as_said
+from assistant.dialogue.naming import Value, as_said, listed_steps
 from assistant.dialogue.placing import set_pose
+from assistant.dialogue.sketch import at
 from assistant.dialogue.state import (
     AwaitingShow,
     Dialogue,
@@ -46,6 +47,24 @@ def answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
 def unknowing(dialogue: Dialogue, text: str) -> bool:
     """Whether the teacher says not to know what the introduction asks."""
     return isinstance(dialogue.state, Introducing) and mentions(text, hints("unknowing"))
+
+
+def told_steps(
+    dialogue: Dialogue, text: str, meant: tuple[acts.TeacherAct, ...]
+) -> tuple[str, ...]:
+    """Return the steps where the teacher answers a question about steps with a list of them."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or state.named:
+        return ()
+    answering = all(
+        isinstance(act, acts.Inform | acts.Unknown | acts.AddSubtask | acts.Translate)
+        for act in meant
+    )
+    if not answering or state.asked not in ("subtask_count", "subtask_name"):
+        return ()
+    named = state.asked == "subtask_name"
+    parts = at(dialogue.known.root, state.index[:-1]).parts
+    return listed_steps(text, len(parts) - state.index[-1] + 1 if named else 2)
 
 
 def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:

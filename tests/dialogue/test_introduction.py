@@ -198,3 +198,11 @@ def test_steps_heard_without_commas_are_told_apart_by_their_verbs() -> None:
     teacher = begun().tell(1).tell("pick up").tell(3)
     teacher.tell("approach block grasp block and move up block")
     assert tree_names(teacher)[1:] == ("approach block", "grasp block", "move up block")
+
+
+def test_a_list_of_steps_answers_how_many_whatever_was_understood() -> None:
+    teacher = begun()
+    said = "first you approach the block, then grasp it, then lift it, and finally release it"
+    teacher.hear(acts.Inform(2), text=said, sure=0.7)
+    assert teacher.asked == "confirm_tree"
+    assert tree_names(teacher) == ("approach the block", "grasp it", "lift it", "release it")

@@ -331,3 +331,23 @@ def test_a_second_miss_offers_what_can_be_said() -> None:
     teacher.hear(acts.Start(), sure=0.5)
     assert "help.ready" in teacher.topics
     assert teacher.asked == "ready"
+
+
+def test_agreeing_on_a_name_that_is_taken_asks_before_it_is_replaced() -> None:
+    teacher = Lessons().open(tree_task(lesson()), saved=("pick and place", "other"))
+    teacher.dialogue = replace(teacher.dialogue, saved_as="", pace="normal")
+    for setup in (moved("two", 30.0), moved("three", 40.0)):
+        teacher.happen(ev.Arranged(setup, SCENE))
+        teacher.happen(ev.Checked(setup, None)).run()
+    teacher.hear(acts.Affirm())
+    assert teacher.topics[0] == "done.agreed"
+    assert teacher.asked == "unsaved"
+    assert not teacher.did(fx.Keep)
+    assert fx.Keep(teacher.dialogue.known.task, "mine") in teacher.hear(acts.Save("mine")).effects
+
+
+def test_after_a_refusal_the_robot_asks_for_another_place() -> None:
+    teacher = Lessons().ready().hear(acts.Start())
+    refusal = Refusal("reach", "grasp of block", "", 80.0, "mm", "closer")
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    assert teacher.topics[-1] == "ask.ready_refused"
