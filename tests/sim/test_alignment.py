@@ -1,0 +1,96 @@
+"""Corners, edges, places; correcting a release."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from assistant.geometry import (
+    IDENTITY,
+    angle_between,
+    compose,
+    distance_between,
+    inverse,
+    pose_from_mm_deg,
+)
+from assistant.model.scene import Body, Scene
+from assistant.model.setup import Place, Setup
+from sim.alignment import alignment, place_on, rests_on
+from sim.correction import corrected, release_offset
+from sim.kinematics import forward
+from sim.sensor import InHandSensor, PlaceNoise
+from tests.sim.placing import motion
+
+BLOCK = Body("block")
+PLACE = pose_from_mm_deg((500, 100, 240), (0, 0, 30))
+small = st.floats(-3.0, 3.0)
+
+
+@given(small, small)
+def test_a_shifted_block_is_off_by_its_shift(x_mm: float, y_mm: float) -> None:
+    pose = compose(PLACE, pose_from_mm_deg((x_mm, y_mm, 0), (0, 0, 0)))
+    found = alignment(BLOCK, pose, PLACE, "target")
+    assert found.distance_mm == pytest.approx(np.hypot(x_mm, y_mm), abs=1e-9)
+    assert found.angle_deg == pytest.approx(0.0, abs=1e-6)
+
+
+@given(small)
+def test_a_turned_block_is_off_by_its_corner(deg: float) -> None:
+    pose = compose(PLACE, pose_from_mm_deg((0, 0, 0), (0, 0, deg)))
+    found = alignment(BLOCK, pose, PLACE, "target")
+    assert found.angle_deg == pytest.approx(abs(deg), abs=1e-6)
+    chord = 2 * np.hypot(30, 20) * np.sin(np.deg2rad(abs(deg)) / 2)
+    assert found.distance_mm == pytest.approx(chord, abs=1e-9)
+
+
+def test_the_place_on_a_movable_body_is_its_top_wherever_it_is() -> None:
+    lower = Body("lower", size_mm=(80, 60, 70))
+    scene = Scene(bodies={"block": BLOCK, "lower": lower})
+    setup = Setup(places={"lower": Place("body", (0, 0, 240))})
+    place = place_on(scene, setup, "block", "lower", {"lower": PLACE})
+    assert np.allclose(place[:3], PLACE[:3] + np.array([0, 0, 0.07]))
+    assert rests_on(scene, "block", "lower", place, place)
+    tilted = compose(place, pose_from_mm_deg((0, 0, 0), (10, 0, 0)))
+    assert not rests_on(scene, "block", "lower", tilted, place)
+
+
+@settings(max_examples=10, deadline=None)
+@given(small, small, st.floats(-1.5, 1.5))
+def test_a_corrected_release_puts_the_body_where_the_plan_meant(
+    x_mm: float, y_mm: float, deg: float
+) -> None:
+    planned = motion()
+    release = planned.stops[1]
+    supposed = inverse(BLOCK.hand_in_body)
+    seen = compose(supposed, pose_from_mm_deg((x_mm, y_mm, 0), (0, 0, deg)))
+    offset = release_offset(supposed, seen)
+    assert offset is not None
+    begin = planned.stops[0].left_at
+    better = corrected(planned, offset, begin, release.docking_at, release)
+    assert better is not None
+    meant = compose(forward(planned.q[release.at]), supposed)
+    reached = compose(forward(better.q[release.at]), seen)
+    assert float(distance_between(meant, reached)) < 1e-9
+    assert float(angle_between(meant, reached)) < 1e-7
+    assert np.array_equal(better.q[:begin], planned.q[:begin])
+
+
+def test_a_body_that_slipped_far_is_not_corrected_for() -> None:
+    far = pose_from_mm_deg((20, 0, 0), (0, 0, 0))
+    assert release_offset(IDENTITY, far) is None
+
+
+def test_the_sensor_has_the_noise_it_states() -> None:
+    sensor = InHandSensor(noise_m=1e-4, noise_deg=0.1, looks=1, seed=1)
+    seen = np.array([sensor.look(IDENTITY) for _ in range(2000)])
+    assert np.std(seen[:, :3]) == pytest.approx(1e-4, rel=0.05)
+    assert np.rad2deg(np.std(2 * seen[:, 3:6])) == pytest.approx(0.1, rel=0.05)
+
+
+def test_misplaced_bodies_stay_within_the_noise() -> None:
+    for seed in range(50):
+        moved = PlaceNoise(0.001, 1.0, seed).misplaced({"block": PLACE})["block"]
+        assert float(distance_between(moved, PLACE)) <= 0.001
+        assert float(angle_between(moved, PLACE)) <= np.deg2rad(1.0) + 1e-12
