@@ -43,11 +43,13 @@ def make_arm(name: str, stop_flag: threading.Event | None = None) -> Arm:
 def make_equipment(arm: str) -> Equipment:
     """Return arm, planner and hands of a session."""
     from assistant.session.equipment import Equipment
+    from sim.hands.keyed import KeyedHand
     from sim.planner import A465Planner
     from sim.setups import new_setup
 
     stop_flag = threading.Event()
-    return Equipment(make_arm(arm, stop_flag), A465Planner(), make_hand, new_setup, stop_flag)
+    made = make_arm(arm, stop_flag)
+    return Equipment(made, A465Planner(), make_hand, new_setup, stop_flag, KeyedHand)
 
 
 def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand:

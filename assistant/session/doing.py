@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from assistant.session.loop import Session
 
 NO_SETUP = "no_setup"
+HAND_KEYS = {"open": "o", "close": "c"}
+"""While the hand is driven by keys, words about it press the keys that mean the same."""
 
 
 def do(session: Session, effect: wanted.Effect) -> None:
@@ -66,6 +68,8 @@ def _move(
             refusal = mover.replay(effect)
         case wanted.GoOn():
             refusal = mover.go_on(anew=effect.anew) if mover.under_way else _from_start(session)
+        case wanted.SetHand() if session.driven is not None:
+            session.driven.press(HAND_KEYS[effect.command])
         case wanted.SetHand():
             refusal = mover.set_hand(effect.command)
         case wanted.Jog():

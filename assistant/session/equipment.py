@@ -8,18 +8,67 @@ from __future__ import annotations
 import threading
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Protocol
 
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
 from assistant.model.transcript import Demonstrate
-from assistant.ports import Arm, Hand, Planner
+from assistant.ports import Arm, Hand, HandSample, Planner
 
 HandMaker = Callable[[Demonstrate, Task, Scene, Setup], Hand]
 """Makes the hand a ``demonstrate`` step asks for; a recording's path is absolute by then."""
 
 SetupMaker = Callable[[Task, Scene, Setup, int], Setup | None]
 """Returns a reachable setup drawn with a seed, or None where none was found."""
+
+
+class DrivenState(Protocol):
+    """What a display of a driven hand shows."""
+
+    @property
+    def speed(self) -> float:
+        """Factor of the usual speed."""
+        ...
+
+    @property
+    def clutched(self) -> bool:
+        """Whether the keys move nothing now."""
+        ...
+
+    @property
+    def blocked(self) -> str:
+        """What is in the way."""
+        ...
+
+
+class DrivenHand(Protocol):
+    """A hand driven by keys, one sample a period."""
+
+    @property
+    def state(self) -> DrivenState:
+        """What a display shows."""
+        ...
+
+    def press(self, key: str) -> bool:
+        """Take a key; return whether it means anything."""
+        ...
+
+    def release(self) -> None:
+        """End all motion."""
+        ...
+
+    def say(self, text: str) -> None:
+        """Attach words to the next sample."""
+        ...
+
+    def tick(self) -> HandSample:
+        """Let one period pass."""
+        ...
+
+
+Driver = Callable[[Arm, Planner, Scene, Setup], DrivenHand]
+"""Makes a hand that is driven by keys."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,6 +85,8 @@ class Equipment:
         See `SetupMaker`.
     stop_flag : threading.Event
         Read by every tick of the arm; set by raw input, before and beside everything else.
+    driver : callable, optional
+        See `Driver`.
     """
 
     arm: Arm
@@ -43,6 +94,7 @@ class Equipment:
     hand: HandMaker
     new_setup: SetupMaker
     stop_flag: threading.Event = field(default_factory=threading.Event)
+    driver: Driver | None = None
 
 
 EquipmentMaker = Callable[[str], Equipment]

@@ -27,7 +27,7 @@ from assistant.model.teacher_acts import Stop
 from assistant.model.transcript import Note
 from assistant.ports import Hand, HandSample
 from assistant.session.doing import do
-from assistant.session.equipment import Equipment
+from assistant.session.equipment import DrivenHand, Equipment
 from assistant.session.happenings import Store, to_step
 from assistant.session.journal import Journal
 from assistant.session.motion import Mover
@@ -79,6 +79,7 @@ class Session:
         self.dialogue = begin()
         self.mover = Mover(equipment)
         self.watching: Watching | None = None
+        self.driven: DrivenHand | None = None
         self.recordings = 0
         self.drawn = 0
         self.left = False

@@ -22,6 +22,7 @@ from assistant.language.completion import suggestions
 from assistant.model.robot_acts import RobotAct
 from assistant.session.acting import leave
 from assistant.session.loop import Session
+from assistant.shells.keys import Driving
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
 
@@ -49,7 +50,7 @@ class TextShell:
         self._session: Session | None = None
         self._ticker: Ticker | None = None
         self._error: BaseException | None = None
-        self._showing = Showing(self._write)
+        self._showing = Showing(self._write, self._drive)
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
@@ -112,6 +113,15 @@ class TextShell:
                 self._write("  (the arm rests; 'quit' or Ctrl-D leaves)")
 
         return keys
+
+    def _drive(self, session: Session) -> None:
+        mover, driver = session.mover, session.equipment.driver
+        if driver is None:
+            self._write("  this arm cannot be driven by keys")
+            return
+        mover.arrange(mover.scene, mover.setup)
+        hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
+        Driving(session, hand).run()
 
     def _write(self, line: str) -> None:
         write(styled(line, HINT_STYLE))
