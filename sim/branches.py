@@ -107,7 +107,14 @@ def forbidden(found: Answers, flags: Flags, fine: FinePath) -> Refusal:
     over = np.abs(found.q[sample, branch]) - a465.LIMITS
     joint = int(np.argmax(over))
     by = math.degrees(float(over[joint]))
-    return Refusal("joint_limit", place_name(fine, sample), f"joint {joint + 1}", by, "deg", "turn")
+    return joint_refusal(place_name(fine, sample), joint, by)
+
+
+def joint_refusal(where: str, joint: int, by_deg: float) -> Refusal:
+    """Return the refusal of a place for a joint, counted from 0, with what would help."""
+    # A shoulder at its end reaches too far, an elbow at its end folds too much.
+    hint = {1: "closer", 2: "farther"}.get(joint, "turn")
+    return Refusal("joint_limit", where, f"joint {joint + 1}", by_deg, "deg", hint)
 
 
 def _told(failing: Flags, fine: FinePath) -> Flags:

@@ -30,6 +30,7 @@ from sim.branches import (
     answers,
     candidates,
     forbidden,
+    joint_refusal,
     needed,
     place_name,
     shared_turn,
@@ -219,7 +220,7 @@ def _blocked(work: _Work, q: Array, first: int, last: int) -> Refusal:
     sample, joint = np.unravel_index(int(np.argmax(beyond)), beyond.shape)
     by = max(math.degrees(float(beyond[sample, joint])), 0.0)
     where = place_name(work.fine, first + 1)
-    return Refusal("joint_limit", where, f"joint {int(joint) + 1}", by, "deg", "turn")
+    return joint_refusal(where, int(joint), by)
 
 
 def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
@@ -250,4 +251,4 @@ def _beyond(fine: FinePath, result: Timed, tick: int) -> Refusal:
     joint = int(np.argmax(over))
     where = place_name(fine, int(np.searchsorted(fine.u_s, result.u_s[tick])))
     by = math.degrees(float(over[joint]))
-    return Refusal("joint_limit", where, f"joint {joint + 1}", by, "deg", "turn")
+    return joint_refusal(where, joint, by)

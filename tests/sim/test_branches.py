@@ -36,7 +36,7 @@ def test_the_branch_with_the_least_to_turn_comes_first() -> None:
 
 @pytest.mark.parametrize(
     ("x_mm", "reason", "hint"),
-    [(150.0, "reach", "farther"), (260.0, "joint_limit", "turn"), (800.0, "reach", "closer")],
+    [(150.0, "reach", "farther"), (260.0, "joint_limit", "farther"), (800.0, "reach", "closer")],
 )
 def test_the_worst_place_is_told_with_what_would_help(x_mm: float, reason: str, hint: str) -> None:
     path = fine(setup((x_mm, 0.0, 330.0), 0.0, (520.0, -248.6, 300.0), 40.0))
