@@ -72,7 +72,11 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
             slots["number"] = _number(texts_of(words), start, hearing)
         else:
             several = sentence.extra == "list"
-            value, trust = _names(part, hearing) if several else _name(part, limit, hearing)
+            value, trust = (
+                _names(part, hearing)
+                if several
+                else _name(part, "new" if name in ("name", "new") else limit, hearing)
+            )
             nobody = value in _NOBODY and (start == 0 or sentence.act != "rename")
             if value is None or nobody:
                 return None
@@ -124,7 +128,7 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     part = words[len(words) - len(bare) :]
     if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
         return None, 0.0
-    names = (*hearing.listening.subtasks,)
+    names = () if limit == "new" else hearing.listening.subtasks
     found = known_name(texts_of(part), names, hearing.book.numbers)
     if found is not None:
         return found, SURE
@@ -134,7 +138,8 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
         return said(part), DOUBTFUL
     if limit == "known" and not set(texts_of(part)) & _STEPS and not part[0].text.endswith("ing"):
         return said(part), 0.8
-    return _unresolved(part, hearing)
+    value, trust = _unresolved(part, hearing)
+    return value, min(trust, 0.8) if names else trust
 
 
 def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:

@@ -95,6 +95,7 @@ _QUESTIONS = frozenset(
     ]
 )
 _REPAIRED = 0.97
+MOST_WORDS = 60
 
 
 def understand(text: str, listening: Listening, language: str = "english") -> Understanding:
@@ -118,7 +119,7 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
         short = best_sentence(heard_words, hearing)
         if short is not None and short.score >= SURE and listening.asked not in OPEN:
             return Understanding(short.acts, short.score, spoken(heard_words))
-    words = without_slips(_without_fillers(heard_words, book), book)
+    words = without_slips(_without_fillers(heard_words[:MOST_WORDS], book), book)
     if not words:
         return Understanding((Unknown(),), 0.9, "")
     if listening.asked not in OPEN:
