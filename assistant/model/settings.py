@@ -220,13 +220,13 @@ class DecodingSettings:
     bend: float = 0.26
     gripper: float = 2.5
     jolt: float = 1.6
-    part: float = 2.6
+    part: float = 1.0
     heard: float = 0.7
     direction: float = 5.0
     still: float = 1.6
     wide: float = 8.0
     turned: float = 1.2
-    idle: float = 2.7
+    idle: float = 1.5
     nearing: float = 0.72
     event: float = 3.4
     lasting: float = 0.7

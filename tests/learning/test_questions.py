@@ -1,0 +1,74 @@
+from __future__ import annotations
+
+from dataclasses import replace
+from types import MappingProxyType
+
+import numpy as np
+
+from assistant.learning.candidates import Evidence, gather
+from assistant.learning.questions import UNSURE_CUT, questions
+from assistant.learning.smoothing import smooth
+from assistant.model.demonstration import Demonstration, Recording
+from assistant.model.lesson import Episode, Question, SegmentationPoint
+from assistant.model.settings import SegmentationSettings
+from assistant.model.task import Action, Primitive, Subtask, Task
+
+LEAVES = (
+    Primitive("go up", Action("move", "up")),
+    Primitive("go left", Action("move", "left")),
+    Primitive("wave", Action("free", "wave"), optional=True),
+)
+TASK = Task("t", Subtask("t", LEAVES))
+FIRST = Episode(0.0, 1.0, "go up", 0.9)
+SECOND = Episode(1.0, 2.0, "go left", 0.9)
+
+
+def given(gap: bool = False) -> tuple[Demonstration, Evidence]:
+    t_s = np.arange(0.0, 2.0, 0.02)
+    if gap:
+        t_s = np.concatenate([t_s[:40], t_s[40:] + 3.0])
+    path = np.zeros((len(t_s), 7))
+    path[:, 1], path[:, 6] = 0.1 * np.sin(t_s), 1.0
+    shown = Demonstration(Recording(t_s, path, np.where(t_s > 1.0, 0.08, 0.02)))
+    return shown, gather(shown, smooth(shown.recording), SegmentationSettings())
+
+
+def cut(confidence: float) -> SegmentationPoint:
+    return SegmentationPoint(1.0, confidence, MappingProxyType({}))
+
+
+def asked(
+    points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...], *, gap: bool = False
+) -> tuple[Question, ...]:
+    shown, evidence = given(gap)
+    return questions(TASK, shown, evidence, points, episodes)
+
+
+def test_what_is_clear_is_not_asked() -> None:
+    assert asked((cut(0.99),), (FIRST, SECOND)) == ()
+
+
+def test_an_unsure_cut_is_asked_about_with_its_time() -> None:
+    (question,) = asked((cut(UNSURE_CUT - 0.1),), (FIRST, SECOND))
+    assert (question.asked, question.about) == ("confirm_segmentation", "go up")
+    assert question.facts["at_s"] == 1.0
+    assert question.facts["next"] == "go left"
+
+
+def test_eliminated_and_internal_points_raise_no_questions() -> None:
+    unsure = (replace(cut(0.1), kept=False), replace(cut(0.1), internal=True))
+    assert asked((*unsure, cut(0.99)), (FIRST, SECOND)) == ()
+
+
+def test_empty_and_unknown_steps_are_named_and_optional_ones_are_not() -> None:
+    found = asked((cut(0.99),), (FIRST, replace(SECOND, primitive=None, character="down")))
+    assert [(q.reason, q.about) for q in found] == [
+        ("never_shown", "go left"),
+        ("never_introduced", ""),
+    ]
+    assert found[1].facts["character"] == "down"
+
+
+def test_gaps_are_told() -> None:
+    found = asked((cut(0.99),), (FIRST, SECOND), gap=True)
+    assert [question.reason for question in found] == ["gap"]
