@@ -78,6 +78,8 @@ class Ways:
     path : array, shape (n, 7)
     held : tuple of (first, last)
         Stretches that keep their shape: the start, each station, perhaps the end.
+    stretches : array, shape (m, 8), for each
+        Their xyz, 1 and quaternion.
     middles : three floats a stretch
         A place within each, whose azimuth the hand's turning follows.
     polar : bool
@@ -88,6 +90,7 @@ class Ways:
 
     path: Array
     held: tuple[Span, ...]
+    stretches: tuple[Array, ...]
     middles: Rows
     polar: bool
     between: tuple[Between, ...]
@@ -113,7 +116,10 @@ def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
         _between(path, around, first, last) for (_, first), (last, _) in itertools.pairwise(held)
     )
     middles = [path[last, :3].tolist() for _, last in held]
-    return Ways(path, held, middles, polar, between)
+    ones = np.ones((len(path), 1))
+    rows = np.hstack([path[:, :3], ones, path[:, 3:]])
+    stretches = tuple(rows[first : last + 1].copy() for first, last in held)
+    return Ways(path, held, stretches, middles, polar, between)
 
 
 def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
@@ -135,10 +141,7 @@ def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
     out = np.empty_like(ways.path)
     turning = [matrix(move[3:]) for move in moves]
     for k, (first, last) in enumerate(ways.held):
-        stretch, move = slice(first, last + 1), moves[k]
-        held = np.array(turning[k]) @ ways.path[stretch, :3].T
-        out[stretch, :3] = held.T + np.array(move[:3])
-        out[stretch, 3:] = (np.array(left_factor(move[3:])) @ ways.path[stretch, 3:].T).T
+        np.matmul(ways.stretches[k], _rigid(turning[k], moves[k]), out=out[first : last + 1])
     turns = _turns(ways, turning, moves)
     for k, way in enumerate(ways.between):
         if way.last > way.first + 1:
@@ -194,28 +197,49 @@ def quintic(share: Array, length: int) -> Array:
     return np.stack(weights, axis=1)
 
 
+def _rigid(turning: Rows, move: Floats) -> Array:
+    """Return the matrix, shape (8, 7), that moves rows of xyz, 1 and quaternion."""
+    (a, b, c), (d, e, f), (g, h, i) = turning
+    px, py, pz, x, y, z, w = move
+    return np.array(
+        [
+            [a, d, g, 0.0, 0.0, 0.0, 0.0],
+            [b, e, h, 0.0, 0.0, 0.0, 0.0],
+            [c, f, i, 0.0, 0.0, 0.0, 0.0],
+            [px, py, pz, 0.0, 0.0, 0.0, 0.0],
+            [0.0, 0.0, 0.0, w, z, -y, -x],
+            [0.0, 0.0, 0.0, -z, w, x, -y],
+            [0.0, 0.0, 0.0, y, -x, w, -z],
+            [0.0, 0.0, 0.0, x, y, z, w],
+        ]
+    )
+
+
 def _end(end: End, turning: Rows, move: Floats, polar: bool) -> Rows:
     """Return value, slope and curvature of the correction at an end, one row each."""
+    (a, b, c), (d, e, f), (g, h, i) = turning
+    px, py, pz = move[:3]
     changes = []
-    middle = math.nan
+    middle = 0.0
     for k in (1, 0, 2):
         x, y, z = end.near[k]
-        moved = [
-            row[0] * x + row[1] * y + row[2] * z + shift
-            for row, shift in zip(turning, move[:3], strict=True)
-        ]
+        first, second = a * x + b * y + c * z + px, d * x + e * y + f * z + py
         if polar:
-            azimuth = math.atan2(moved[1], moved[0])
-            if k == 1:
-                middle = azimuth
+            azimuth = math.atan2(second, first)
+            middle = azimuth if k == 1 else middle
             # The three neighbors lie together; only between stations may azimuths differ much.
-            azimuth = middle + math.remainder(azimuth - middle, 2.0 * math.pi)
-            moved = [math.hypot(moved[0], moved[1]), azimuth, moved[2]]
-        changes.append([a - b for a, b in zip(moved, end.around[k], strict=True)])
-    here, before, after = changes
-    slope = [(b - a) / 2.0 for a, b in zip(before, after, strict=True)]
-    bend = [a - 2.0 * h + b for a, h, b in zip(before, here, after, strict=True)]
-    return [here, slope, bend]
+            first, second = (
+                math.hypot(first, second),
+                middle + math.remainder(azimuth - middle, 2.0 * math.pi),
+            )
+        was = end.around[k]
+        changes.append((first - was[0], second - was[1], g * x + h * y + i * z + pz - was[2]))
+    (x, y, z), (xa, ya, za), (xb, yb, zb) = changes
+    return [
+        [x, y, z],
+        [(xb - xa) / 2.0, (yb - ya) / 2.0, (zb - za) / 2.0],
+        [xa - 2.0 * x + xb, ya - 2.0 * y + yb, za - 2.0 * z + zb],
+    ]
 
 
 def _place(way: Between, ends: Array, polar: bool, out: Array) -> None:

@@ -1,0 +1,133 @@
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assistant.cli import main
+from assistant.files.demonstrations import write_demonstration
+from assistant.files.setups import write_setups
+from assistant.files.tasks import read_task, write_task
+from assistant.model.demonstration import Recording
+from assistant.model.setup import Setup
+from tests.learning.lessons import BLOCK, TARGET, demonstration, moved, task
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    write_task(task(), tmp_path / "tree.yaml")
+    write_demonstration(demonstration(), tmp_path / "shown.yaml")
+    rng = np.random.default_rng(0)
+    setups = [Setup("as shown", places={"block": BLOCK, "target": TARGET}), moved(rng, "moved")]
+    write_setups(setups, tmp_path / "setups.yaml")
+    return tmp_path
+
+
+def told(capsys: pytest.CaptureFixture[str]) -> list[dict[str, object]]:
+    return [json.loads(line) for line in capsys.readouterr().out.splitlines()]
+
+
+def test_learn_tells_and_writes_what_adapt_reads(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    learned = folder / "learned.yaml"
+    shown = str(folder / "shown.yaml")
+    words = ["learn", shown, "--task", str(folder / "tree.yaml"), "-o", str(learned), "--json"]
+    assert main(words) == 0
+    (line,) = told(capsys)
+    cuts = line["segmentation_points_s"]
+    assert isinstance(cuts, list)
+    assert min(abs(cut - 6.0) for cut in cuts) < 0.05
+    docking = line["docking"]
+    assert isinstance(docking, list)
+    assert [one["kind"] for one in docking] == ["grasp", "release"]
+    assert read_task(learned).learned is not None
+    csv = folder / "path.csv"
+    words = ["adapt", str(learned), "--setup", str(folder / "setups.yaml"), "--json"]
+    assert main([*words, "--csv", str(csv)]) == 0
+    lines = told(capsys)
+    assert [one["name"] for one in lines] == ["as shown", "moved"]
+    for one in lines:
+        errors = [value for name, value in one.items() if "error" in name]
+        assert len(errors) == 4
+        assert max(float(str(value)) for value in errors) <= 1e-9
+        assert float(str(one["jerk_ratio"])) <= 1.15
+        assert float(str(one["peak_speed_ratio"])) <= 1.0
+        assert float(str(one["duration_ratio"])) <= 1.2
+    assert (folder / "path_1.csv").exists()
+    assert main(["adapt", str(learned), "--setup", str(folder / "setups.yaml")]) == 0
+    assert "as shown: grasp off by" in capsys.readouterr().out
+
+
+def test_several_are_one_line_each_or_one_together(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_demonstration(demonstration(0.0005, 1), folder / "again.yaml")
+    words = ["learn", str(folder / "shown.yaml"), str(folder / "again.yaml")]
+    words += ["--task", str(folder / "tree.yaml"), "--json"]
+    assert main(words) == 0
+    assert len(told(capsys)) == 2
+    assert main([*words, "--together"]) == 0
+    assert len(told(capsys)) == 1
+    assert main([*words, "-o", str(folder / "out.yaml")]) == 2
+    assert "--together" in capsys.readouterr().err
+
+
+def test_without_a_gripper_docking_is_absent_and_asked_about(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_demonstration(demonstration(gripper=False), folder / "blind.yaml")
+    words = ["learn", str(folder / "blind.yaml"), "--task", str(folder / "tree.yaml"), "--json"]
+    assert main(words) == 0
+    (line,) = told(capsys)
+    assert line["docking"] is None
+    questions = line["questions"]
+    assert isinstance(questions, list)
+    assert any("hand" in one["text"] for one in questions)
+    assert line["segmentation_points_s"]
+
+
+def test_a_hand_that_never_closes_ends_with_1(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = demonstration()
+    opened = Recording(shown.recording.t_s, shown.recording.path, np.full(801, 0.08))
+    write_demonstration(replace(shown, recording=opened), folder / "open.yaml")
+    words = ["learn", str(folder / "open.yaml"), str(folder / "shown.yaml")]
+    assert main([*words, "--task", str(folder / "tree.yaml"), "--json"]) == 1
+    out = capsys.readouterr()
+    assert "never closes" in out.err
+    assert len(out.out.splitlines()) == 2
+
+
+def test_figures_are_drawn(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    drawn = folder / "figures"
+    words = ["learn", str(folder / "shown.yaml"), "--task", str(folder / "tree.yaml")]
+    assert main([*words, "--figures", str(drawn)]) == 0
+    assert "learned in" in capsys.readouterr().out
+    for name in ("votes.png", "paths.png", "weights.png"):
+        assert (drawn / name).read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_was_not_learned_cannot_be_adapted(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ["adapt", str(folder / "tree.yaml"), "--setup", str(folder / "setups.yaml")]
+    assert main(words) == 1
+    assert "not been learned" in capsys.readouterr().err
+
+
+def test_a_missing_file_and_a_missing_place_end_with_2(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["learn", str(folder / "no.yaml"), "--task", str(folder / "tree.yaml")]) == 2
+    shown = str(folder / "shown.yaml")
+    learned = str(folder / "learned.yaml")
+    assert main(["learn", shown, "--task", str(folder / "tree.yaml"), "-o", learned]) == 0
+    write_setups([Setup("bare", places={"block": BLOCK})], folder / "bare.yaml")
+    capsys.readouterr()
+    assert main(["adapt", learned, "--setup", str(folder / "bare.yaml")]) == 2
+    assert "target" in capsys.readouterr().err
