@@ -52,7 +52,8 @@ def answers(poses: Array) -> Answers:
 def needed(fine: FinePath, start_free: bool) -> Flags:
     """Return the samples, shape (g,), that must be on the chosen branch."""
     flags = fine.constrained
-    flags[-1] = flags[-1] or not fine.stops
+    # A small step must end where it was asked to; the last departure of a task may be bent.
+    flags[-1] = flags[-1] or (not fine.stops and fine.primitive_at[-1] < 0)
     flags[0] = flags[0] or start_free
     return flags
 
