@@ -19,6 +19,7 @@ from assistant.language.parsing import (
 from assistant.language.phrasebook import Phrase
 from assistant.language.sentences import LONGEST_NAME, best_sentence
 from assistant.language.words import Words, said
+from assistant.model.feedback import When
 from assistant.model.teacher_acts import (
     AdjustSpeed,
     Gripper,
@@ -72,7 +73,11 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     """Read "when you place it, a bit more left": a correction with where it belongs."""
     texts = texts_of(words)
     where = hearing.book.where
-    for when in ("before", "after", "during"):
+    stated = _stated(words, hearing)
+    if stated is not None:
+        return stated
+    whens: tuple[When, ...] = ("before", "after", "during")
+    for when in whens:
         for phrase in where[when]:
             size = len(phrase)
             if texts[:size] == phrase:
@@ -87,7 +92,31 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     return None
 
 
-def _front(words: Words, size: int, when: str, hearing: Hearing) -> Parse | None:
+def _stated(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "the approach is too fast": a correction of the step that is spoken of."""
+    texts = texts_of(words)
+    for at in range(1, min(len(texts) - 1, LONGEST_NAME)):
+        if texts[at] not in ("is", "was", "needs", "should", "must", "goes", "went"):
+            continue
+        names = hearing.listening.subtasks
+        known = known_name(texts[:at], names, hearing.book.numbers)
+        found = correction(texts[at:], hearing) if known else None
+        if found is not None and found.score >= LIKELY:
+            return _at(found, Where(str(known)), SURE - 0.02)
+    return None
+
+
+def _at(parse: Parse, spot: Where, score: float) -> Parse | None:
+    """Return the corrections with where they belong; None if some cannot have a place."""
+    acts = tuple(
+        replace(act, where=spot)
+        for act in parse.acts
+        if isinstance(act, Translate | Rotate | AdjustSpeed | Gripper)
+    )
+    return Parse(acts, score) if len(acts) == len(parse.acts) else None
+
+
+def _front(words: Words, size: int, when: When, hearing: Hearing) -> Parse | None:
     breaks = [at for at in range(size + 1, len(words)) if words[at].broken]
     for at in breaks or range(size + 1, len(words)):
         loose = words[at].text in ("it", "the", "a", "an", "that", "and", "to")
@@ -99,7 +128,9 @@ def _front(words: Words, size: int, when: str, hearing: Hearing) -> Parse | None
     return None
 
 
-def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Hearing) -> Parse | None:
+def _joined(
+    told: Words, place: Words, phrase: Phrase, when: When, hearing: Hearing
+) -> Parse | None:
     subject = _place(place, hearing)
     weak = phrase in (("at",), ("in",), ("for",), ("as",), ("once",), ("following",))
     if not subject or len(subject) > LONGEST_NAME:
@@ -118,17 +149,9 @@ def _joined(told: Words, place: Words, phrase: Phrase, when: str, hearing: Heari
         parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
         if parse is None or parse.score < LIKELY:
             continue
-        spot = Where(
-            known or said(subject),
-            "before" if when == "before" else "after" if when == "after" else "during",
-        )
-        acts = tuple(
-            replace(act, where=spot)
-            for act in parse.acts
-            if isinstance(act, Translate | Rotate | AdjustSpeed | Gripper)
-        )
-        if len(acts) == len(parse.acts):
-            return Parse(acts, SURE if known else LIKELY + 0.01)
+        found = _at(parse, Where(known or said(subject), when), SURE if known else LIKELY + 0.01)
+        if found is not None:
+            return found
     return None
 
 

@@ -55,11 +55,13 @@ def known_name(words: Sequence[str], names: Sequence[str], numbers: NumberWords)
     spoken = " ".join(bare)
     if spoken in names:
         return spoken
-    scores = sorted(((_likeness(bare, name), name) for name in names), reverse=True)
-    best = scores[0]
-    if best[0] < 0.5 or (len(scores) > 1 and scores[1][0] > best[0] - 0.04):
+    # Of equally like names the last is taken: parts are told after what they are part of.
+    scores = [(_likeness(bare, name), _shared(bare, name), at) for at, name in enumerate(names)]
+    best, shared, at = max(scores)
+    near = [one for one in scores if one[0] > best - 0.04 and one[1] >= shared and one[2] != at]
+    if best < 0.5 or any(not _same_content(names[one[2]], names[at]) for one in near):
         return None
-    return best[1]
+    return names[at]
 
 
 def _by_place(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
@@ -82,6 +84,15 @@ def _likeness(words: Sequence[str], name: str) -> float:
     if not common:
         return 0.0
     return len(common) / len(said) * 0.75 + 0.25 * len(common) / len(known)
+
+
+def _shared(words: Sequence[str], name: str) -> int:
+    """Return how many words, small ones too, are those of the name."""
+    return len({_stem(word) for word in words} & {_stem(word) for word in name.lower().split()})
+
+
+def _same_content(name: str, other: str) -> bool:
+    return _stems(name.lower().split()) == _stems(other.lower().split())
 
 
 def _stems(words: Sequence[str]) -> set[str]:

@@ -185,9 +185,12 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
     if asked in OPEN:
         return _answered(words, hearing)
     parse = _command(words, hearing)
+    named = _named_part(words, hearing)
+    moving = parse is not None and isinstance(parse.acts[0], _MOTION)
+    if named is not None and (named.score >= SURE or moving):
+        return named
     if parse is not None and parse.score > GUESS:
         return parse
-    named = _named_part(words, hearing)
     if named is not None:
         return named
     return parse or _unknown(words, hearing)
@@ -246,6 +249,10 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     found = _corrected_answer(words, hearing)
     if found is None:
         return _unknown(words, hearing)
+    if asked in ("missing_step", "which") and isinstance(found.value, str):
+        names = hearing.listening.subtasks
+        known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
+        found = Inform(known or found.value)
     return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
 
 
