@@ -119,7 +119,10 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct) -> Turn:
 
 
 def next_question(dialogue: Dialogue, state: Reviewing) -> Turn:
-    """Go on to the next question of learning."""
+    """Go on to the next question of learning; who has just said yes is not asked again."""
+    head, *rest = state.questions
+    if not rest and (head.asked, head.reason) == ("confirm_segmentation", "unsure_cut"):
+        return _reviewed(dialogue)
     return ask(replace(dialogue, state=Reviewing(state.questions[1:])))
 
 

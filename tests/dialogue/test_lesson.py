@@ -351,3 +351,10 @@ def test_after_a_refusal_the_robot_asks_for_another_place() -> None:
     refusal = Refusal("reach", "grasp of block", "", 80.0, "mm", "closer")
     teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
     assert teacher.topics[-1] == "ask.ready_refused"
+
+
+def test_who_has_said_yes_to_the_unsure_cuts_is_not_asked_about_all_of_them_again() -> None:
+    question = Question("confirm_segmentation", "grasp object", "unsure_cut", {"at_s": 4.0})
+    teacher = Lessons().learned(question)
+    assert teacher.asked == "confirm_segmentation"
+    assert teacher.hear(acts.Affirm()).asked == "ready"
