@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from assistant.geometry import (
     rotate_vector,
     transform_points,
 )
-from assistant.model.motion import Alignment
+from assistant.model.motion import Alignment, HandStop
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
 
@@ -82,3 +82,17 @@ def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) ->
     upright = float(up @ normal) > float(np.cos(ON_TILT_RAD))
     inside = bool(abs(gap[0]) <= half_x and abs(gap[1]) <= half_y)
     return bool(abs(gap[2]) <= ON_GAP_M and inside and upright)
+
+
+def alignments(
+    scene: Scene, setup: Setup, released: Sequence[HandStop], bodies: Mapping[str, Array]
+) -> tuple[Alignment, ...]:
+    """Return how well everything that was let go lies; what has no told place is left out."""
+    found = []
+    for stop in released:
+        body = scene.bodies.get(stop.object)
+        if body is None or stop.object not in bodies or stop.frame not in setup.places:
+            continue
+        place = place_on(scene, setup, stop.object, stop.frame, bodies)
+        found.append(alignment(body, bodies[stop.object], place, stop.frame))
+    return tuple(found)

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from assistant.geometry import Array, interpolate
-from assistant.model.motion import HandStop, JointPath
+from assistant.model.motion import ArmReport, HandStop, JointPath
 from sim import a465
 from sim.kinematics import forward
 from sim.world import CONTROL_S
@@ -107,3 +107,15 @@ class Playback:
         if low < 0 or math.isclose(self.at, len(self.motion.t_s) - 1):
             return np.zeros(a465.JOINTS)
         return np.asarray((self.motion.q[low + 1] - self.motion.q[low]) / CONTROL_S)
+
+
+def planned_reports(motion: JointPath) -> list[tuple[int, ArmReport]]:
+    """Return what is to be told when the samples of a motion are reached, in order."""
+    told: list[tuple[int, ArmReport]] = []
+    for stop in motion.stops:
+        if not stop.frame:
+            continue
+        told.append((stop.docking_at, ArmReport("perceived", 0.0, -1, "docked", stop.frame)))
+        if stop.kind == "release":
+            told.append((stop.left_at, ArmReport("perceived", 0.0, -1, "clear", stop.object)))
+    return sorted(told, key=lambda pair: pair[0])

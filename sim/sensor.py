@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from assistant.geometry import Array, compose, quat_from_rotvec
+from assistant.model.scene import Scene
 
 
 @dataclass(slots=True)
@@ -59,10 +60,11 @@ class PlaceNoise:
     angle_deg: float = 1.0
     seed: int = 0
 
-    def misplaced(self, poses: dict[str, Array]) -> dict[str, Array]:
-        """Return the poses, shape (7,) each, moved and turned within the plane."""
+    def misplaced(self, told: dict[str, Array], scene: Scene) -> dict[str, Array]:
+        """Return where bodies really stand, shape (7,) each; what cannot be carried is exact."""
         random = np.random.default_rng(self.seed)
-        return {name: self._moved(pose, random) for name, pose in poses.items()}
+        loose = [name for name in told if name in scene.bodies and scene.bodies[name].mass_kg > 0]
+        return {**told, **{name: self._moved(told[name], random) for name in loose}}
 
     def _moved(self, pose: Array, random: np.random.Generator) -> Array:
         heading = random.uniform(0.0, 2.0 * np.pi)

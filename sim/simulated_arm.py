@@ -13,14 +13,14 @@ import numpy as np
 
 from assistant.errors import WorkFailed
 from assistant.geometry import IDENTITY, Array, angle_between, compose, distance_between, inverse
-from assistant.model.motion import Alignment, ArmReport, HandStop, JointPath
+from assistant.model.motion import ArmReport, HandStop, JointPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465, alignment
 from sim.correction import corrected, release_offset
 from sim.kinematics import forward
-from sim.playback import Playback
+from sim.playback import Playback, planned_reports
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import SAME_PLACE_M, SAME_TURN_RAD, joints_at
 from sim.world import CONTROL_S, Allowed, Fault, World
@@ -101,14 +101,8 @@ class SimulatedArm:
         self._supposed = None
         self._fresh = True
         self._rest()
-        self.world.arrange(scene, self._placed(), self._q)
-
-    def _placed(self) -> dict[str, Array]:
-        if self._noise is None:
-            return dict(self._told)
-        bodies = self._scene.bodies
-        loose = {n: p for n, p in self._told.items() if n in bodies and bodies[n].mass_kg > 0}
-        return {**self._told, **self._noise.misplaced(loose)}
+        bodies = self._noise.misplaced(self._told, scene) if self._noise else dict(self._told)
+        self.world.arrange(scene, bodies, self._q)
 
     def look(self) -> ArmLook:
         """Return what is measured now."""
@@ -135,7 +129,7 @@ class SimulatedArm:
         self._fresh = False
         self._began_s = self._now_s
         self._playback = Playback(motion)
-        self._plan_reports(motion)
+        self._told_samples = planned_reports(motion)
         if not self._carried:
             self._opening_m = float(np.clip(motion.gripper_m[0], 0.0, a465.GRIPPER.open_m))
         elif self._playback.pending and self._playback.pending[0].kind == "release":
@@ -294,17 +288,6 @@ class SimulatedArm:
         if stop is not None and self._carried and playback.sample == stop.docking_at:
             self._correct(self._carried, playback.sample, stop.at - SETTLED_TICKS)
 
-    def _plan_reports(self, motion: JointPath) -> None:
-        for stop in motion.stops:
-            if not stop.frame:
-                continue
-            docked = ArmReport("perceived", 0.0, -1, "docked", stop.frame)
-            self._told_samples.append((stop.docking_at, docked))
-            if stop.kind == "release":
-                clear = ArmReport("perceived", 0.0, -1, "clear", stop.object)
-                self._told_samples.append((stop.left_at, clear))
-        self._told_samples.sort(key=lambda pair: pair[0])
-
     def _passed(self, playback: Playback) -> list[ArmReport]:
         told = []
         # Where the gripper has yet to act, the primitive before is not over.
@@ -329,15 +312,6 @@ class SimulatedArm:
     def _finish(self) -> ArmReport:
         self._playback = None
         at_s = self._now_s - self._began_s
-        return ArmReport("finished", at_s, self._primitive, alignments=self._alignments())
-
-    def _alignments(self) -> tuple[Alignment, ...]:
         bodies = self.world.bodies()
-        out = []
-        for stop in self._released:
-            body = self._scene.bodies.get(stop.object)
-            if body is None or stop.object not in bodies or not self._known(stop.frame):
-                continue
-            place = alignment.place_on(self._scene, self._setup, stop.object, stop.frame, bodies)
-            out.append(alignment.alignment(body, bodies[stop.object], place, stop.frame))
-        return tuple(out)
+        found = alignment.alignments(self._scene, self._setup, self._released, bodies)
+        return ArmReport("finished", at_s, self._primitive, alignments=found)

@@ -88,7 +88,7 @@ def pace(label: str, arm: Arm, task: Task) -> None:
         arm.tick()
     run_s = time.process_time() - begun
     print(
-        f"{label:<12} {whole.sim_s / run_s:8.1f} x real time, with planning {whole.sim_s / all_s:.1f}"
+        f"{label:<12} {whole.sim_s / run_s:8.1f} x real time, planned too {whole.sim_s / all_s:.1f}"
     )
 
 

@@ -90,7 +90,8 @@ def test_the_sensor_has_the_noise_it_states() -> None:
 
 
 def test_misplaced_bodies_stay_within_the_noise() -> None:
+    scene = Scene(bodies={"block": BLOCK})
     for seed in range(50):
-        moved = PlaceNoise(0.001, 1.0, seed).misplaced({"block": PLACE})["block"]
+        moved = PlaceNoise(0.001, 1.0, seed).misplaced({"block": PLACE}, scene)["block"]
         assert float(distance_between(moved, PLACE)) <= 0.001
         assert float(angle_between(moved, PLACE)) <= np.deg2rad(1.0) + 1e-12
