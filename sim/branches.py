@@ -137,6 +137,19 @@ def _out_of_reach(fine: FinePath, failing: Flags) -> Refusal:
     return Refusal("reach", place_name(fine, sample), "", 1000.0 * max(by, 0.0), "mm", hint)
 
 
+def steadied(q: Array) -> Array:
+    """Return joints, shape (g, 6), whose joint 4 keeps still while the wrist is singular."""
+    straight = np.abs(q[:, 4]) < STRAIGHT_RAD
+    if not straight[1:].any():
+        return q
+    steady = np.array(q)
+    for k in 1 + np.flatnonzero(straight[1:]):
+        total = q[k, 3] + q[k, 5]
+        steady[k, 3] = steady[k - 1, 3]
+        steady[k, 5] = math.remainder(total - steady[k, 3], 2 * math.pi)
+    return steady
+
+
 def place_name(fine: FinePath, sample: int) -> str:
     """Return in the task's words where on its path a sample is."""
     if not fine.stops:

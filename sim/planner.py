@@ -34,6 +34,7 @@ from sim.branches import (
     needed,
     place_name,
     shared_turn,
+    steadied,
 )
 from sim.collision import Touch
 from sim.fine_path import FinePath, joined, moved, refine, relaxed
@@ -118,6 +119,7 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
     q = np.array(work.found.q[:, branch])
     q[0] = _start_joints(work, branch)
     q[-1] = _end_joints(work, branch)
+    q = steadied(q)
     ends = work.fine.constrained
     ends[[0, -1]] = True
     refusal = _touched(work, q, ends)
@@ -187,8 +189,7 @@ def _touched(work: _Work, q: Array, flags: Flags) -> Refusal | None:
 
 def _collision(fine: FinePath, touch: Touch, sample: int) -> Refusal:
     deep = 1000.0 * max(-float(touch.gap[touch.worst]), 0.0)
-    thing = touch.thing if touch.part != "carried" else f"{touch.thing} and what is carried"
-    return Refusal("collision", place_name(fine, sample), thing, deep, "mm", "clear")
+    return Refusal("collision", place_name(fine, sample), touch.thing, deep, "mm", "clear")
 
 
 def _note(work: _Work, kept: Array, first: int, last: int) -> str:

@@ -202,6 +202,25 @@ def test_a_step_into_the_table_is_refused() -> None:
     assert (jog.reason, jog.what) == ("collision", "table")
 
 
+def test_a_rest_in_the_singularity_keeps_the_measured_joints() -> None:
+    q = a465.READY + np.array([0.0, 0.0, 0.0, 0.5, 0.0, -0.5])
+    look = look_at(q, TABLE1[0], scene())
+    rest = PLANNER.plan(step(look.hand, np.zeros(3)), scene(), TABLE1[0], look)
+    assert isinstance(rest, JointPath), str(rest)
+    np.testing.assert_allclose(rest.q, np.repeat(q[None], len(rest.q), axis=0), atol=1e-9)
+
+
+def test_a_carried_block_is_not_pressed_into_the_table() -> None:
+    where, told = scene(), TABLE1[1]
+    motion = planned(where, told)
+    look = look_at(motion.q[motion.stops[0].at], told, where, "block")
+    down, up = (step(look.hand, np.array([0.0, 0.0, by])) for by in (-0.005, 0.005))
+    refusal = PLANNER.plan(down, where, told, look)
+    assert isinstance(refusal, Refusal)
+    assert (refusal.reason, refusal.what) == ("collision", "table")
+    assert isinstance(PLANNER.plan(up, where, told, look), JointPath)
+
+
 @pytest.mark.slow
 def test_what_the_plain_check_calls_reachable_is_done() -> None:
     where = scene()
