@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
 
 COLORS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#7f7f7f", "#8c564b")
 """Told apart by people who do not see all colors, and in print."""
+_LETTERS, _NARROWEST = 125, 6
+"""Small letters that fit side by side across the votes, and the narrowest column of them."""
 INK, PALE = "#222222", "#bbbbbb"
 
 
@@ -93,8 +96,9 @@ def votes_figure(lesson: Lesson) -> Figure:
                 zorder=5,
             )
     _mark_hand(axes, lesson)
-    axes.set(xlabel="time (s)", ylabel="vote", ylim=(0.0, 1.18), title="Votes for cutting")
+    axes.set(xlabel="time (s)", ylabel="vote", ylim=(0.0, 1.39), title="Votes for cutting")
     _mark_episodes(axes, lesson)
+    axes.set_yticks(np.linspace(0.0, 1.0, 6))
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=4, frameon=False)
     return figure
 
@@ -209,32 +213,18 @@ def _shown_s(learned: LearnedPath, at: int, primitive: str, episodes: dict[Any, 
 
 
 def _mark_episodes(axes: Axes, lesson: Lesson) -> None:
-    """Name the episodes above the curves, in turn high and low so that names fit."""
-    for number, part in enumerate(lesson.segmentation.episodes):
+    """Name the episodes above the curves."""
+    episodes = lesson.segmentation.episodes
+    whole = episodes[-1].to_s - episodes[0].from_s if episodes else 1.0
+    for number, part in enumerate(episodes):
         color = COLORS[number % len(COLORS)]
         axes.axvspan(part.from_s, part.to_s, color=color, alpha=0.06, linewidth=0)
-        name = part.primitive or "(not introduced)"
-        axes.annotate(
-            f"{number + 1}",
-            ((part.from_s + part.to_s) / 2, 1.12),
-            ha="center",
-            va="center",
-            fontsize=10,
-            fontweight="bold",
-        )
-        axes.annotate(
-            "\n".join(_lines(name)),
-            ((part.from_s + part.to_s) / 2, 1.08),
-            ha="center",
-            va="top",
-            fontsize=7.5,
-        )
-
-
-def _lines(name: str, width: int = 14) -> list[str]:
-    import textwrap
-
-    return textwrap.wrap(name, width) or [name]
+        middle = (part.from_s + part.to_s) / 2
+        above = {"ha": "center", "va": "top", "annotation_clip": False}
+        axes.annotate(f"{number + 1}", (middle, 1.37), fontsize=10, fontweight="bold", **above)
+        room = int(_LETTERS * (part.to_s - part.from_s) / whole)
+        name = textwrap.fill(part.primitive or "(not introduced)", max(room, _NARROWEST))
+        axes.annotate(name, (middle, 1.30), fontsize=7.5, **above)
 
 
 def _mark_places(axes: Any, lesson: Lesson, learned: LearnedPath, xyz: Array) -> None:

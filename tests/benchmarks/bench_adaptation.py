@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
@@ -166,8 +167,7 @@ def movement_primitive(cartesian: bool) -> Callable[[AdaptationPlan], Query]:
     """Return DMPs, one a part between stations."""
 
     def fit(plan: AdaptationPlan) -> Query:
-        from movement_primitives.dmp import DMP, CartesianDMP
-
+        dmp = import_module("movement_primitives.dmp")
         step_s = float(np.median(plan.steps_s))
         made: list[Any] = []
         for first, last in _parts(plan):
@@ -175,7 +175,7 @@ def movement_primitive(cartesian: bool) -> Callable[[AdaptationPlan], Query]:
             shown = _wxyz(plan.ways.path[first : last + 1])
             weights = max(10, (last - first) // 6)
             given = {"execution_time": long_s, "dt": step_s, "n_weights_per_dim": weights}
-            one = CartesianDMP(**given) if cartesian else DMP(n_dims=7, **given)
+            one = dmp.CartesianDMP(**given) if cartesian else dmp.DMP(n_dims=7, **given)
             one.imitate(np.arange(len(shown)) * step_s, shown)
             made.append(one)
 
@@ -195,8 +195,6 @@ def movement_primitive(cartesian: bool) -> Callable[[AdaptationPlan], Query]:
 
 def promp(plan: AdaptationPlan) -> Query:
     """Return a ProMP of places, taught by smooth variations, conditioned at the stations."""
-    from movement_primitives.promp import ProMP
-
     path = plan.ways.path
     rng, count = np.random.default_rng(0), len(path)
     share = np.linspace(0.0, 1.0, count)
@@ -206,7 +204,7 @@ def promp(plan: AdaptationPlan) -> Query:
         knots = rng.normal(0.0, 0.08, (len(at), 3))
         moved = [np.interp(np.arange(count), at, knots[:, k]) for k in range(3)]
         variations.append(path[:, :3] + np.array(moved).T)
-    model = ProMP(n_dims=3, n_weights_per_dim=60)
+    model = import_module("movement_primitives.promp").ProMP(n_dims=3, n_weights_per_dim=60)
     model.imitate(np.tile(share, (30, 1)), np.array(variations))
 
     def query(frames: Array, start: Array) -> Array:

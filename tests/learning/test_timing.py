@@ -1,0 +1,48 @@
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from assistant.geometry import Array, quat_from_rpy
+from assistant.learning.timing import bounded_times, hand_speeds, rms_jerk, turn_speeds
+
+
+def wandering(seed: int) -> Array:
+    rng = np.random.default_rng(seed)
+    xyz = np.cumsum(np.cumsum(rng.normal(0.0, 4e-4, (300, 3)), axis=0), axis=0) * 0.1
+    yaw = np.cumsum(rng.normal(0.0, 0.02, 300))
+    return np.hstack([xyz, quat_from_rpy(np.stack([0 * yaw, 0 * yaw, yaw], axis=1))])
+
+
+@given(seed=st.integers(0, 1000), greatest=st.floats(0.02, 0.5), turning=st.floats(0.1, 3.0))
+@settings(max_examples=25, deadline=None)
+def test_no_bound_is_passed_and_nothing_is_hurried(
+    seed: int, greatest: float, turning: float
+) -> None:
+    path, steps_s = wandering(seed), np.full(299, 0.02)
+    t_s = bounded_times(steps_s, path, greatest, turning, 20)
+    assert np.max(hand_speeds(t_s, path)) <= greatest * (1 + 1e-9)
+    assert np.max(turn_speeds(t_s, path)) <= turning * (1 + 1e-9)
+    assert np.all(np.diff(t_s) >= 0.02 - 1e-12)
+
+
+def test_within_the_bounds_the_times_stay() -> None:
+    steps_s = np.full(299, 0.02)
+    t_s = bounded_times(steps_s, wandering(0), 100.0, 100.0, 20)
+    assert np.allclose(np.diff(t_s), steps_s)
+
+
+def test_slowing_down_is_smooth() -> None:
+    path = np.zeros((200, 7))
+    path[:, 6] = 1.0
+    path[100:, 0] = np.minimum(np.arange(100) * 0.01, 0.1)
+    steps = np.diff(bounded_times(np.full(199, 0.02), path, 0.1, 1.0, 20))
+    assert np.max(np.abs(np.diff(steps))) < 0.2 * np.max(steps)
+
+
+def test_jerk_of_a_cubic_is_its_third_derivative() -> None:
+    t_s = np.arange(50) * 0.02
+    xyz = np.stack([t_s**3, 0 * t_s, 0 * t_s], axis=1)
+    assert rms_jerk(xyz, 0.02) == pytest.approx(6.0)
