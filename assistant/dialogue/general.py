@@ -23,6 +23,26 @@ def general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | No
     if answers_by_words(dialogue, act):
         return None
     match act:
+        case acts.Pause():
+            return practicing.pause(dialogue)
+        case acts.NewSetup():
+            return practicing.new_setup(dialogue)
+        case acts.SetPose():
+            sure = words.sure or not words.by_voice
+            return set_pose(dialogue, act, words.text, sure=sure)
+        case acts.Translate() | acts.Rotate() | acts.AdjustSpeed() | acts.Gripper():
+            return correct(dialogue, act, words.text, by_voice=words.by_voice, sure=words.sure)
+        case acts.AdjustLast():
+            return adjust_last(dialogue, act, words.text)
+        case acts.MoveCut() | acts.Assign():
+            return _recut(dialogue, act)
+        case _:
+            return _of_knowledge(dialogue, act)
+
+
+def _of_knowledge(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
+    """Change, bring back, keep or fetch what is known."""
+    match act:
         case acts.Undo():
             return undo(dialogue)
         case acts.Redo():
@@ -35,13 +55,6 @@ def general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | No
             return keeping.load(dialogue, name)
         case acts.Compare(name):
             return keeping.load(dialogue, name, comparing=True)
-        case acts.Pause():
-            return practicing.pause(dialogue)
-        case acts.SetPose():
-            sure = words.sure or not words.by_voice
-            return set_pose(dialogue, act, words.text, sure=sure)
-        case acts.NewSetup():
-            return practicing.new_setup(dialogue)
         case (
             acts.Rename()
             | acts.Optional()
@@ -54,12 +67,6 @@ def general(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | No
             | acts.Split()
         ):
             return structure.edit(dialogue, act)
-        case acts.MoveCut() | acts.Assign():
-            return _recut(dialogue, act)
-        case acts.Translate() | acts.Rotate() | acts.AdjustSpeed() | acts.Gripper():
-            return correct(dialogue, act, words.text, by_voice=words.by_voice, sure=words.sure)
-        case acts.AdjustLast():
-            return adjust_last(dialogue, act, words.text)
         case _:
             return None
 

@@ -12,6 +12,10 @@ from assistant.dialogue.turn import plain_action, plain_condition, plain_tree
 from assistant.model.lesson import Lesson
 from assistant.model.task import primitives
 
+EPISODE = ("from_s", "to_s", "primitive", "probability", "character")
+POINT = ("at_s", "confidence", "kept", "internal")
+STATION = ("kind", "object", "frame")
+
 
 def public_view(dialogue: Dialogue) -> dict[str, object]:
     """Return plain values for transcripts' ``expect``, programs and status lines.
@@ -23,7 +27,6 @@ def public_view(dialogue: Dialogue) -> dict[str, object]:
     """
     known = dialogue.known
     asked = question(dialogue)
-    refusal = dialogue.refusal
     return {
         "stage": stage(dialogue),
         "asked": asked.asked if asked is not None else None,
@@ -34,21 +37,28 @@ def public_view(dialogue: Dialogue) -> dict[str, object]:
         "lesson": _lesson(known.lesson) if known.lesson is not None else None,
         "feedback": _feedback(known),
         "speed": round(speed_of(known), 6),
-        "pace": dialogue.pace,
-        "pace_factor": PRACTICE.slow if dialogue.pace == "slow" else PRACTICE.normal,
-        "setup": {"name": known.setup.name, "places": places(known)},
         "facing": known.facing,
-        "motion": dialogue.arm,
-        "at": _at(dialogue),
-        "refused": str(refusal) if refusal is not None else None,
-        "runs": [_run(one) for one in dialogue.runs],
-        "agreed": dialogue.agreed,
+        **_practice(dialogue),
         "saved": list(dialogue.saved),
         "saved_as": dialogue.saved_as,
         "unsaved": dialogue.unsaved,
         "brief": dialogue.brief,
         "undo": dialogue.past[-1].label if dialogue.past else None,
         "redo": dialogue.future[-1].label if dialogue.future else None,
+    }
+
+
+def _practice(dialogue: Dialogue) -> dict[str, object]:
+    known, refusal = dialogue.known, dialogue.refusal
+    return {
+        "pace": dialogue.pace,
+        "pace_factor": PRACTICE.slow if dialogue.pace == "slow" else PRACTICE.normal,
+        "setup": {"name": known.setup.name, "places": places(known)},
+        "motion": dialogue.arm,
+        "at": _at(dialogue),
+        "refused": str(refusal) if refusal is not None else None,
+        "runs": [_run(one) for one in dialogue.runs],
+        "agreed": dialogue.agreed,
     }
 
 
@@ -82,31 +92,16 @@ def _lesson(lesson: Lesson) -> dict[str, Any]:
     return {
         "cuts_s": [round(at_s, 4) for at_s in found.cuts_s],
         "cue_lag_s": found.cue_lag_s,
-        "episodes": [
-            {
-                "from_s": one.from_s,
-                "to_s": one.to_s,
-                "primitive": one.primitive,
-                "probability": one.probability,
-                "character": one.character,
-            }
-            for one in found.episodes
-        ],
+        "episodes": [_slots(one, EPISODE) for one in found.episodes],
         "questions": [{"asked": one.asked, "about": one.about} for one in found.questions],
-        "points": [
-            {
-                "at_s": one.at_s,
-                "confidence": one.confidence,
-                "kept": one.kept,
-                "internal": one.internal,
-            }
-            for one in found.points
-        ],
-        "stations": [
-            {"kind": one.kind, "object": one.object, "frame": one.frame} for one in lesson.stations
-        ],
+        "points": [_slots(one, POINT) for one in found.points],
+        "stations": [_slots(one, STATION) for one in lesson.stations],
         "path": lesson.path is not None,
     }
+
+
+def _slots(value: object, names: tuple[str, ...]) -> dict[str, Any]:
+    return {name: getattr(value, name) for name in names}
 
 
 def _at(dialogue: Dialogue) -> str | None:

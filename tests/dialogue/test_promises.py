@@ -198,6 +198,7 @@ def test_nothing_that_is_said_or_happens_breaks_a_promise(start: str, told: list
         for line in teacher.lines:
             assert phrase(line).strip()
             assert "{" not in phrase(line)
+            assert "None" not in phrase(line)
         json.dumps(public_view(teacher.dialogue))
         assert listening(teacher.dialogue).stage in STAGES
 
