@@ -220,7 +220,7 @@ def _mark_episodes(axes: Axes, lesson: Lesson) -> None:
         color = COLORS[number % len(COLORS)]
         axes.axvspan(part.from_s, part.to_s, color=color, alpha=0.06, linewidth=0)
         middle = (part.from_s + part.to_s) / 2
-        above = {"ha": "center", "va": "top", "annotation_clip": False}
+        above: dict[str, Any] = {"ha": "center", "va": "top", "annotation_clip": False}
         axes.annotate(f"{number + 1}", (middle, 1.37), fontsize=10, fontweight="bold", **above)
         room = int(_LETTERS * (part.to_s - part.from_s) / whole)
         name = textwrap.fill(part.primitive or "(not introduced)", max(room, _NARROWEST))
