@@ -37,9 +37,22 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--resume", nargs="?", const=NEWEST, metavar="ID", help="go on with an earlier session"
     )
+    parser.add_argument(
+        "--pace", type=_pace, default=1.0, metavar="F", help="of the simulated arm; 1 is real time"
+    )
     parser.add_argument("--json", action="store_true", help="talk in JSON lines, for programs")
     parser.add_argument("--voice", action="store_true", help="talk by voice")
     parser.add_argument("--browser", action="store_true", help="talk in a browser")
+
+
+def _pace(text: str) -> float:
+    try:
+        factor = float(text)
+    except ValueError:
+        factor = 0.0
+    if not 0.1 <= factor <= 100.0:
+        raise argparse.ArgumentTypeError(f"expected a number from 0.1 to 100, got {text!r}")
+    return factor
 
 
 def run(args: argparse.Namespace) -> int:
@@ -66,7 +79,7 @@ def _with_json(args: argparse.Namespace) -> int:
 def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
     from assistant.shells.plain import PlainShell
 
-    shell = PlainShell(lambda line: print(line, flush=True))
+    shell = PlainShell(lambda line: print(line, flush=True), args.pace)
     session = _opened(args, shell.out)
     return _guarded(session, lambda: shell.run(session, sys.stdin, live=live))
 
@@ -75,7 +88,7 @@ def _with_text(args: argparse.Namespace) -> int:
     from assistant.files.home import home
     from assistant.shells.text import TextShell
 
-    shell = TextShell(home() / "history")
+    shell = TextShell(home() / "history", args.pace)
     session = _opened(args, shell.out)
     return _guarded(session, lambda: shell.run(session))
 

@@ -144,7 +144,7 @@ class Session:
 
     def arrange(self, scene: Scene, setup: Setup) -> None:
         """Put things where the teacher says."""
-        self.halt("arranged")
+        self.halt("things are put elsewhere")
         self.mover.arrange(scene, setup)
         self.happen(events.Arranged(setup, scene))
 

@@ -126,7 +126,7 @@ def _go_on(session: Session, fed: Fed) -> None:
     for owed in (*fed.lines, *fed.owed):
         do(session, owed)
     if motion_pending(session):
-        session.happen(events.Halted("restart"))
+        session.happen(events.Halted("the program was interrupted"))
 
 
 def _tell_resumed(session: Session, fed: Fed) -> None:

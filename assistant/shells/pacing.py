@@ -37,9 +37,14 @@ class Ticker:
     session : Session
     failed : callable
         Told an error that ended the ticking.
+    pace : float
+        How many simulated seconds pass in a real one.
     """
 
-    def __init__(self, session: Session, failed: Callable[[BaseException], None]) -> None:
+    def __init__(
+        self, session: Session, failed: Callable[[BaseException], None], pace: float = 1.0
+    ) -> None:
+        self._period_s = PERIOD_S / pace
         self.lock = threading.RLock()
         self._session = session
         self._failed = failed
@@ -64,6 +69,6 @@ class Ticker:
                 if self._session.moving:
                     with self.lock:
                         self._session.tick()
-                self._clock.pass_s(PERIOD_S - (self._clock.now_s() - began_s))
+                self._clock.pass_s(self._period_s - (self._clock.now_s() - began_s))
         except BaseException as error:
             self._failed(error)

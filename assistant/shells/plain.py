@@ -22,9 +22,12 @@ class PlainShell:
     ----------
     write : callable
         Takes one line of output.
+    pace : float
+        How many simulated seconds pass in a real one, at a terminal.
     """
 
-    def __init__(self, write: Callable[[str], None]) -> None:
+    def __init__(self, write: Callable[[str], None], pace: float = 1.0) -> None:
+        self._pace = pace
         self._write = write
         self._showing = Showing(write)
         self._error: BaseException | None = None
@@ -43,7 +46,7 @@ class PlainShell:
         live : bool
             The arm moves in real time beside the input; else it rests before each line.
         """
-        ticker = Ticker(session, self._fail)
+        ticker = Ticker(session, self._fail, self._pace)
         if live:
             ticker.start()
         try:
@@ -57,13 +60,13 @@ class PlainShell:
                     break
         except KeyboardInterrupt:
             with ticker.lock:
-                session.halt("interrupted")
+                session.halt("you pressed Ctrl-C")
                 self._write("(stopped)")
         finally:
             ticker.stop()
         if self._error is not None:
             raise self._error
-        leave(session, "end of input")
+        leave(session, "nobody is there any more")
 
     def _take(self, session: Session, line: str) -> None:
         if line and not self._showing.take(session, line):

@@ -43,9 +43,12 @@ class TextShell:
     ----------
     history : Path
         Where what was typed is remembered between sessions.
+    pace : float
+        How many simulated seconds pass in a real one.
     """
 
-    def __init__(self, history: Path) -> None:
+    def __init__(self, history: Path, pace: float = 1.0) -> None:
+        self._pace = pace
         self._history = history
         self._session: Session | None = None
         self._ticker: Ticker | None = None
@@ -59,7 +62,7 @@ class TextShell:
     def run(self, session: Session) -> None:
         """Hold the conversation until the robot leaves or the terminal closes."""
         self._session = session
-        self._ticker = ticker = Ticker(session, self._fail)
+        self._ticker = ticker = Ticker(session, self._fail, self._pace)
         for line in WELCOME:
             self._write(line)
         prompt = self._prompt(session)
@@ -70,7 +73,7 @@ class TextShell:
                     self._turn(session, prompt)
         except EOFError:
             with ticker.lock:
-                leave(session, "end of input")
+                leave(session, "nobody is there any more")
         finally:
             ticker.stop()
         if self._error is not None:
@@ -106,7 +109,7 @@ class TextShell:
                 session.equipment.stop_flag.set()
                 assert self._ticker is not None
                 with self._ticker.lock:
-                    session.halt("Ctrl-C")
+                    session.halt("you pressed Ctrl-C")
             elif event.current_buffer.text:
                 event.current_buffer.reset()
             else:

@@ -1,0 +1,150 @@
+"""A whole lesson through a pseudo-terminal, the task shown by keys."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pexpect
+import pytest
+
+from assistant.geometry import Array
+from assistant.model.transcript import SetupChoice
+from assistant.session.opening import chosen
+
+KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
+"""Keys for more and for less of x, y and z."""
+FLAGS = ("--arm", "kinematic", "--pace", "8", "--setup")
+
+
+class Teacher:
+    """Someone at a keyboard who looks where the hand is."""
+
+    def __init__(self, home: Path, setup: Path) -> None:
+        self.home = home
+        environment = {**os.environ, "ASSISTANT_HOME": str(home), "TERM": "xterm"}
+        self.terminal = pexpect.spawn(
+            sys.executable,
+            ["-m", "assistant", "teach", *FLAGS, str(setup)],
+            env=environment,
+            encoding="utf-8",
+            timeout=40,
+            dimensions=(40, 120),
+        )
+
+    def say(self, text: str, then: str) -> None:
+        self.terminal.send(f"{text}\r")
+        self.terminal.expect(then)
+
+    def hand(self) -> tuple[Array, float]:
+        """Return pose and opening as recorded last."""
+        path = self.home / "sessions" / "1" / "recording_1.csv"
+        while True:
+            lines = path.read_bytes()[-1000:].split(b"\n") if path.exists() else []
+            if len(lines) > 2:
+                numbers = [float(text) for text in lines[-2].split(b",")]
+                return np.array(numbers[1:8]), numbers[8]
+            time.sleep(0.05)
+
+    def press(self, key: str) -> None:
+        self.terminal.send(key)
+        # A terminal repeats a held key about this often; drain what it draws meanwhile.
+        time.sleep(0.03)
+        with contextlib.suppress(pexpect.TIMEOUT):
+            self.terminal.read_nonblocking(100_000, timeout=0)
+
+    def drive(self, goal: Array, axis: str) -> None:
+        """Hold a key until the hand is near where it should be, then tap it."""
+        k = "xyz".index(axis)
+        for _ in range(1000):
+            gap = float(goal[k] - self.hand()[0][k])
+            if abs(gap) < 0.01:
+                return
+            self.press(KEYS[k][0 if gap > 0 else 1])
+            time.sleep(0.0 if abs(gap) > 0.05 else 0.25)
+        raise AssertionError("the hand does not get there")
+
+    def act(self, key: str, opening: float) -> None:
+        self.press(key)
+        for _ in range(200):
+            if abs(self.hand()[1] - opening) < 0.003:
+                return
+            time.sleep(0.05)
+        raise AssertionError("the hand does not act")
+
+
+SETUP = """\
+format: setup/1
+name: near
+scene: demonstration_table
+robot_start: {hand_xyz_mm: [480, 120, 397], hand_rpy_deg: [0, 0, 0]}
+places:
+  block: {hand_xyz_mm: [560, 120, 396.7], hand_rpy_deg: [0, 0, 0]}
+  target: {hand_xyz_mm: [560, -60, 403], hand_rpy_deg: [0, 0, 0]}
+"""
+TALK = (
+    ("pick and place", "should be the case"),
+    ("the block rests on the target", "Which things"),
+    ("the block and the target", "how many steps"),
+    ("five", "first of the 5"),
+    ("approach the block", "second of"),
+    ("grasp the block", "third of"),
+    ("move up", "fourth of"),
+    ("move down to the target", "fifth of"),
+    ("place the block on the target", "parts"),
+    ("none", "Is that right"),
+    ("yes", "Are you ready"),
+    ("yes", "FILE"),
+    ("keys", "clutch"),
+)
+
+
+def show(teacher: Teacher, block: Array, target: Array) -> None:
+    """Pick the block up and place it, saying the cues by keys."""
+    above = np.array([0.0, 0.0, 0.06, 0.0, 0.0, 0.0, 0.0])
+    for key in "++1":
+        teacher.press(key)
+    teacher.drive(block, "x")
+    teacher.press("n")
+    teacher.act("c", 0.04)
+    teacher.press("n")
+    teacher.drive(block + above, "z")
+    teacher.press("n")
+    for axis in "yxz":
+        teacher.drive(target, axis)
+    teacher.press("n")
+    teacher.act("o", 0.08)
+    for _ in range(8):
+        teacher.press("s")
+    teacher.terminal.send("\x1b")
+
+
+@pytest.mark.slow
+def test_a_lesson_shown_by_keys(tmp_path: Path) -> None:
+    setup_file = tmp_path / "near.yaml"
+    setup_file.write_text(SETUP)
+    scene, setup = chosen(SetupChoice(file=str(setup_file)), tmp_path)
+    teacher = Teacher(tmp_path, setup_file)
+    teacher.terminal.expect("What is the task called")
+    for text, then in TALK:
+        teacher.say(text, then)
+    show(teacher, *(scene.hand_pose(name, setup.places[name]) for name in ("block", "target")))
+    teacher.terminal.expect("I saw 5 parts")
+    # Which questions follow depends on how well the keys were driven.
+    while teacher.terminal.expect(["Shall I go ahead", "leave it out", "not sure", "showed me"]):
+        teacher.terminal.send("yes\r")
+    teacher.say("go", "approach the block")
+    teacher.terminal.send("\x03")
+    teacher.terminal.expect("I stopped")
+    teacher.say("start", "Was that right")
+    teacher.say("quit", "Shall I save it")
+    teacher.say("yes", "I saved it")
+    teacher.terminal.expect("resume 1")
+    teacher.terminal.expect(pexpect.EOF)
+    teacher.terminal.close()
+    assert teacher.terminal.exitstatus == 0
+    assert (tmp_path / "tasks" / "pick_and_place.yaml").is_file()
