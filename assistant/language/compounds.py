@@ -52,7 +52,21 @@ def compound(words: Words, hearing: Hearing) -> Parse | None:
     joined = _joined(words, hearing, 4)
     if stop is not None and (joined is None or joined.score < LIKELY):
         return stop
-    return joined
+    return joined or _partly(words, hearing)
+
+
+def _partly(words: Words, hearing: Hearing) -> Parse | None:
+    """Return what the last clause asks if the first means nothing here, as a guess."""
+    if set(texts_of(words)) & hearing.book.chat:
+        return None
+    for at in range(1, len(words)):
+        if not words[at].broken:
+            continue
+        parse = clause(words[at:], hearing)
+        understood = parse is not None and parse.score >= LIKELY
+        if parse is not None and understood and isinstance(parse.acts[0], _CORRECTIONS):
+            return Parse(parse.acts, 0.7)
+    return None
 
 
 def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:

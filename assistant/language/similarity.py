@@ -18,8 +18,9 @@ from assistant.language.templates import Choice, Node, Phrases, Slot
 from assistant.model.listening import Listening
 
 MOST_EXAMPLES = 120
-LEAST_LIKENESS = 0.62
+LEAST_LIKENESS = 0.56
 _HIGHEST = 0.8
+_EMPTY = frozenset(("please", "could", "would", "can", "you", "may", "i", "the", "just"))
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,7 @@ def examples(language: str) -> Examples:
         if _has_slot(sentence.nodes) or sentence.act in ("affirm", "deny", "stop"):
             continue
         for n, phrase in enumerate(_expanded(sentence.nodes)):
+            phrase = tuple(map(_stem, phrase))
             found.setdefault((frozenset(phrase), sentence.act, str(sentence.slots)), sentence)
             if n >= MOST_EXAMPLES:
                 break
@@ -57,7 +59,7 @@ def likest(
 ) -> tuple[Sentence, float] | None:
     """Return the likest example's sentence and a confidence below any that acts."""
     known = examples(language)
-    said = frozenset(words)
+    said = frozenset(map(_stem, words)) - _EMPTY or frozenset(map(_stem, words))
     strange = max(known.weights.values()) * 0.8
     mass = sum(known.weights.get(word, strange) for word in said)
     rare = sorted(said, key=lambda word: len(known.by_word.get(word, ())))
@@ -77,6 +79,14 @@ def likest(
     if best is None or best[0] < LEAST_LIKENESS:
         return None
     return best[1], min(_HIGHEST, best[0])
+
+
+def _stem(word: str) -> str:
+    """Return a word without the endings that change nothing here."""
+    for ending in ("ing", "ed", "s"):
+        if word.endswith(ending) and len(word) - len(ending) >= 3:
+            return word.removesuffix(ending)
+    return word
 
 
 def _has_slot(nodes: Sequence[Node]) -> bool:

@@ -166,7 +166,8 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
 def _likest(words: Words, hearing: Hearing) -> Parse | None:
     """Return the act of the likest known sentence, unless people chat or answer."""
     texts = texts_of(words)
-    if hearing.listening.asked in OPEN or set(texts) & hearing.book.chat or len(texts) > 14:
+    answering = hearing.listening.asked in OPEN and not _asks(words)
+    if answering or set(texts) & hearing.book.chat or len(texts) > 14:
         return None
     found = likest(texts, hearing.listening, hearing.language)
     if found is None:
@@ -243,7 +244,7 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     chatting = (
         texts & hearing.book.chat and len(words) > 3 and not wrapped(bare, asked, hearing.book)
     )
-    asking = bare and bare[0].text in _QUESTIONS and not wrapped(bare, asked, hearing.book)
+    asking = bare and _asks(bare) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
@@ -254,6 +255,12 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
         known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
         found = Inform(known or found.value)
     return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
+
+
+def _asks(words: Words) -> bool:
+    """Tell a question or a polite request from an answer."""
+    polite = words[0].text in ("could", "would", "will", "may", "shall") and len(words) > 1
+    return words[0].text in _QUESTIONS or (polite and words[1].text in ("you", "i", "we"))
 
 
 def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:

@@ -26,7 +26,7 @@ STAGES: dict[str, Stage] = {
     "l": "learning",
     "p": "practice",
 }
-FILES = ("tuning", "unseen", "unseen2", "unseen3")
+FILES = ("tuning", "unseen", "unseen2", "unseen3", "unseen4")
 SURE = 0.85
 
 
