@@ -12,7 +12,7 @@ import threading
 import numpy as np
 
 from assistant.errors import WorkFailed
-from assistant.geometry import IDENTITY, Array, angle_between, compose, distance_between, inverse
+from assistant.geometry import IDENTITY, Array, compose, inverse
 from assistant.model.motion import ArmReport, HandStop, JointPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -22,20 +22,13 @@ from sim.correction import corrected, release_offset
 from sim.kinematics import forward
 from sim.playback import Playback, planned_reports
 from sim.sensor import InHandSensor, PlaceNoise
-from sim.starting import SAME_PLACE_M, SAME_TURN_RAD, joints_at
-from sim.world import CONTROL_S, Allowed, Fault, World
+from sim.starting import joints_at, same_pose
+from sim.world import CONTROL_S, EASE_S, EASED, STILL_M, STILL_TICKS, Allowed, Fault, World
 
 NOT_WHERE_PLANNED_RAD = np.deg2rad(1.0)
 """A motion must begin this close to where the arm is."""
 ACTING_S = 3.0
 """The gripper is done within this time, or something is wrong."""
-EASE_S = 0.16
-EASED = 0.02
-"""Before opening, the grip fades so long to this share. Fingers that leave a body while they
-press on it throw it by a millimetre, since one pad is always the first to let go."""
-STILL_TICKS = 8
-"""The opening has settled when it has not changed for this many ticks."""
-STILL_M = 2e-5
 LOST_TICKS = 3
 SETTLED_TICKS = 3
 """A correction is complete so long before the body stands."""
@@ -137,9 +130,7 @@ class SimulatedArm:
 
     def _seat(self, q: Array) -> None:
         # A setup tells where the hand starts; which joint angles hold it there is the plan's.
-        hand = forward(q)
-        near = float(distance_between(hand, self._hand)) < SAME_PLACE_M
-        if near and float(angle_between(hand, self._hand)) < SAME_TURN_RAD:
+        if same_pose(forward(q), self._hand):
             self._q = q
             self.world.seat(q)
 
@@ -205,7 +196,8 @@ class SimulatedArm:
         closing = stop.kind == "grasp"
         before = self.world.joints()[1]
         if self._acting_s == 0.0:
-            self._supposed_in_hand(playback, stop)
+            if closing and stop.object in self._told:
+                self._supposed = compose(inverse(playback.hands[stop.at]), self._told[stop.object])
             # From where the fingers are, not from where a closed hand without a body would be.
             self._opening_m = before
         self._acting_s += CONTROL_S
@@ -225,11 +217,6 @@ class SimulatedArm:
 
     def _ease(self) -> None:
         self._grip = max(EASED, self._grip - CONTROL_S / EASE_S)
-
-    def _supposed_in_hand(self, playback: Playback, stop: HandStop) -> None:
-        if stop.kind == "grasp" and stop.object in self._told:
-            planned = playback.hands[stop.at]
-            self._supposed = compose(inverse(planned), self._told[stop.object])
 
     def _acted(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
         playback.pending.pop(0)
@@ -252,16 +239,13 @@ class SimulatedArm:
             return opened, self._halt("unmet", "clear", held)
         self._released.append(stop)
         bodies = self.world.bodies()
-        if stop.object not in bodies or not self._known(stop.frame):
+        if stop.object not in bodies or stop.frame not in self._setup.places:
             return (opened,)
         place = alignment.place_on(self._scene, self._setup, stop.object, stop.frame, bodies)
         self._told[stop.object] = bodies[stop.object]
         if not alignment.rests_on(self._scene, stop.object, stop.frame, bodies[stop.object], place):
             return opened, self._halt("unmet", "on", stop.object, stop.frame)
         return opened, self._report("perceived", "on", stop.object, stop.frame)
-
-    def _known(self, name: str) -> bool:
-        return name in self._setup.places
 
     def _correct(self, held: str, begin: int, full: int | None = None) -> None:
         """Look at the body in the hand and move its release accordingly."""
@@ -273,14 +257,13 @@ class SimulatedArm:
             return
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
         offset = release_offset(supposed, self._sensor.look(in_hand))
-        if offset is None:
-            return
-        full = stop.docking_at if full is None else full
-        more = compose(inverse(self._offset), offset)
-        better = corrected(playback.motion, more, begin, full, stop)
-        if better is not None:
-            playback.replace(better)
-            self._offset = offset
+        if offset is not None:
+            full = stop.docking_at if full is None else full
+            more = compose(inverse(self._offset), offset)
+            better = corrected(playback.motion, more, begin, full, stop)
+            if better is not None:
+                playback.replace(better)
+                self._offset = offset
 
     def _look_again(self, playback: Playback) -> None:
         # What crept while the body was carried is seen on arrival at the docking pose.

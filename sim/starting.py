@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from assistant.geometry import Array
+from assistant.geometry import Array, angle_between, distance_between
 from sim import a465
 from sim.kinematics import inverse_all, within_limits
 
@@ -22,3 +22,9 @@ def joints_at(pose: Array) -> Array:
     if not fine:
         return np.array(a465.READY)
     return min(fine, key=lambda q: float(np.sum(np.abs(q - a465.READY))))
+
+
+def same_pose(first: Array, second: Array) -> bool:
+    """Return whether two flange poses, shape (7,), are the same place and turn."""
+    near = float(distance_between(first, second)) < SAME_PLACE_M
+    return near and float(angle_between(first, second)) < SAME_TURN_RAD

@@ -13,6 +13,13 @@ from assistant.geometry import Array
 from assistant.model.scene import Scene
 
 CONTROL_S = 0.02
+EASE_S = 0.16
+EASED = 0.02
+"""Before opening, the grip fades so long to this share. Fingers that leave a body while they
+press on it throw it by a millimetre, since one pad is always the first to let go."""
+STILL_TICKS = 8
+"""The opening has settled when it has not changed for this many ticks."""
+STILL_M = 2e-5
 
 
 @dataclass(frozen=True, slots=True)
