@@ -13,6 +13,7 @@ from assistant.dialogue.correcting import (
     adjusted,
     amount,
     feedback_from,
+    parallel,
     plain_feedback,
     size,
     speed_of,
@@ -34,10 +35,11 @@ from assistant.dialogue.state import (
     Running,
 )
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
 from assistant.model.robot_acts import About, RobotAct
-from assistant.model.task import primitives
+from assistant.model.task import Action, primitives
 
 SHOWN_M = 0.010
 """The small announced move that shows where the robot takes left to be."""
@@ -53,7 +55,7 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
         return tell(dialogue, line("error", "not_an_answer"))
     if dialogue.known.lesson is None:
         return tell(dialogue, line("error", "nothing_to_correct"))
-    place = _place(dialogue, act)
+    place = _place(dialogue, act, words)
     if place is None:
         return unclear(dialogue, act.where.subtask if act.where else "", act)
     if not sure and too_much(act, by_voice=by_voice):
@@ -80,7 +82,7 @@ def _read_back(dialogue: Dialogue, act: Correction, words: str) -> Turn:
     return ask(replace(dialogue, pending=pending))
 
 
-def _place(dialogue: Dialogue, act: Correction) -> Place | None:
+def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
     """Return where a correction belongs: as said, else what is being done, else the end."""
     if act.where is not None:
         index = find_whole(dialogue.known, act.where.subtask)
@@ -94,7 +96,22 @@ def _place(dialogue: Dialogue, act: Correction) -> Place | None:
         if isinstance(act, acts.AdjustSpeed):
             return Place()
         return Place(leaves[run.primitive_at].name)
-    return Place()
+    return Place(_spoken_of(dialogue, words))
+
+
+def _spoken_of(dialogue: Dialogue, words: str) -> str:
+    """Return the one primitive whose action is spoken of: "grasp it a bit lower"; else none."""
+    action = read_action(words, dialogue.known.objects or ()).action
+    if action is None or (action.verb != "hand" and action.way != "approach"):
+        return ""
+    leaves = primitives(dialogue.known.task.tree)
+    alike = [one.name for one in leaves if (one.action.verb, one.action.way) == action_key(action)]
+    return alike[0] if len(alike) == 1 else ""
+
+
+def action_key(action: Action) -> tuple[str, str]:
+    """Return what two actions on different things have in common."""
+    return action.verb, action.way
 
 
 def _leaf_under(dialogue: Dialogue, name: str) -> str:
@@ -176,6 +193,7 @@ def _total(known: Knowledge, feedback: Feedback) -> float | None:
         for one in given
         if (one.kind, one.frame, one.primitive)
         == (feedback.kind, feedback.frame, feedback.primitive)
+        and parallel(one, feedback)
     ]
     return round(size(summed(alike)), 1) if len(alike) > 1 else None
 

@@ -147,6 +147,13 @@ def scaled(feedback: Feedback, factor: float) -> Feedback:
     )
 
 
+def parallel(one: Feedback, other: Feedback) -> bool:
+    """Whether two corrections of one kind go along the same line, either way."""
+    first, second = _vector(one), _vector(other)
+    lengths = float(np.linalg.norm(first) * np.linalg.norm(second))
+    return abs(float(first @ second)) > 0.9 * lengths
+
+
 def summed(feedbacks: Sequence[Feedback]) -> Feedback:
     """Return one correction that goes as far as several of one kind and frame together."""
     offset = np.sum([one.offset_m for one in feedbacks], axis=0)

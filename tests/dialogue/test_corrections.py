@@ -201,3 +201,11 @@ def test_every_correction_is_undone_singly_and_comes_back(told: list[Any]) -> No
         teacher.hear(acts.Redo())
     assert public_view(teacher.dialogue)["feedback"] == given_back
     assert all(math.isfinite(one) for one in last(teacher).offset_m)
+
+
+def test_the_action_spoken_of_tells_where_a_correction_belongs() -> None:
+    teacher = Lessons().ready().run()
+    teacher.hear(acts.Translate("down", "little"), text="grasp it a bit lower")
+    assert (last(teacher).frame, last(teacher).primitive) == ("block", "grasp object")
+    teacher.hear(acts.Translate("down", "little"), text="a bit lower")
+    assert last(teacher).frame == "target"
