@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -69,10 +69,13 @@ class FinePath:
         return [(max(first - 1, 0), min(end, last)) for first, end in pairs]
 
 
-def relaxed(fine: FinePath) -> FinePath:
-    """Return the path with stops kept exact, but not the departures from them."""
+def relaxed(fine: FinePath, kinds: Collection[str]) -> FinePath:
+    """Return the path with stops of some kinds kept exact, but not the departures from them."""
     stops = []
     for stop in fine.stops:
+        if stop.kind not in kinds:
+            stops.append(stop)
+            continue
         away = distance_between(fine.poses[stop.at : stop.left_at + 1], fine.poses[stop.at])
         gone = np.flatnonzero(away > DEPART_M)
         left = stop.at + max(int(gone[0]) - 1, 0) if len(gone) else stop.left_at

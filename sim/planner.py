@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.model.motion import HandPath, JointPath, Refusal
+from assistant.model.motion import HandPath, HandStop, JointPath, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
@@ -45,6 +45,8 @@ from sim.timing import Timed, timed
 
 ENOUGH = 1.4
 """A motion that lasts no longer than this share of the path's own time is good enough."""
+EASINGS: tuple[tuple[str, ...], ...] = ((), ("release",), ("release", "grasp", "touch"))
+"""Kinds of stops whose departures may bend, tried in this order."""
 END_LIFTS_M = np.array([0.12, 0.08, 0.16, 0.05, 0.02])
 """A hand that cannot end where it should goes up so far from the last place it can take."""
 
@@ -54,6 +56,7 @@ class _Work:
     """What is known of a task while it is planned."""
 
     fine: FinePath
+    stops: tuple[HandStop, ...]
     found: Answers
     phases: tuple[Phase, ...]
     start: Array | None
@@ -83,13 +86,20 @@ class A465Planner:
         fine = joined(refine(path), setup_start(scene, setup) if look is None else look.hand)
         start = None if look is None else np.array(look.q)
         speed = scene.hand_speed_m_s
-        work = _Work(fine, answers(fine.poses), phases(fine, scene, setup, look), start, speed)
-        done = _planned(work)
-        if isinstance(done, JointPath) or not fine.stops:
-            return done
-        # Where a departure cannot be kept as it was shown, it may bend once the hand is off.
-        eased = _planned(replace(work, fine=relaxed(fine)))
-        return eased if isinstance(eased, JointPath) else done
+        around = phases(fine, scene, setup, look)
+        work = _Work(fine, fine.stops, answers(fine.poses), around, start, speed)
+        refused = []
+        for eased in EASINGS:
+            # Where a departure cannot be kept as it was shown, it may bend once the hand is off;
+            # a body just grasped is lifted as shown if that can be.
+            fine = relaxed(work.fine, eased) if eased else work.fine
+            if eased and fine.stops == work.fine.stops:
+                continue
+            done = _planned(replace(work, fine=fine))
+            if isinstance(done, JointPath):
+                return done
+            refused.append(done)
+        return refused[0]
 
 
 def _planned(work: _Work) -> JointPath | Refusal:
@@ -239,7 +249,7 @@ def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
         result.q,
         np.interp(result.u_s, fine.u_s, fine.gripper_m),
         fine.primitive_at[owner],
-        tuple(moved(stop, ticks) for stop in fine.stops),
+        tuple(moved(stop, ticks) for stop in work.stops),
         math.degrees(float(margin.min())),
         float(np.max(speeds / a465.SPEEDS, initial=0.0)),
         float(np.max(steps, initial=0.0) * a465.CONTROL_HZ),
