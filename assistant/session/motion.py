@@ -18,6 +18,7 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from assistant.session import paths
 from assistant.session.equipment import Equipment
+from assistant.session.holding import with_held
 
 ENDS = ("finished", "halted", "unmet")
 """Reports after which the arm rests."""
@@ -165,7 +166,9 @@ class Mover:
         reports = self._equipment.arm.tick()
         for report in reports:
             self._take(report)
-        return reports
+        if not any(report.kind == "halted" for report in reports):
+            return reports
+        return tuple(with_held(report, self.look, self.scene) for report in reports)
 
     def _take(self, report: ArmReport) -> None:
         if report.kind in ENDS:

@@ -1,0 +1,45 @@
+"""What is told of the hand when the arm is halted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from assistant.model.motion import ArmReport
+from assistant.model.scene import Body, Obstacle, Scene
+from assistant.ports import ArmLook
+from assistant.session.holding import with_held
+
+SCENE = Scene(
+    bodies={"block": Body("block"), "stand": Body("stand", size_mm=(80.0, 80.0, 50.0))},
+    tables=(Obstacle("table", (1800.0, 1800.0, 20.0), (0.0, 0.0, 220.0)),),
+)
+
+
+def at(x_m: float, z_m: float) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    return np.array([x_m, 0.0, z_m, 0.0, 0.0, 0.0, 1.0])
+
+
+def look(held: str, x_m: float = 0.5, stand_m: float = 0.9) -> ArmLook:
+    bodies = {"block": at(x_m, 0.34), "stand": at(stand_m, 0.24)}
+    return ArmLook(np.zeros(6), at(0.4, 0.4), 0.05, held, bodies, False, 1.0)
+
+
+HALTED = ArmReport("halted", 1.0, 2, "stop")
+
+
+def test_the_height_is_above_the_table_or_the_body_below() -> None:
+    assert with_held(HALTED, look("block"), SCENE).height_mm == pytest.approx(100.0)
+    above = with_held(HALTED, look("block", stand_m=0.52), SCENE)
+    assert (above.object, above.height_mm) == ("block", pytest.approx(50.0))
+
+
+def test_an_empty_hand_and_other_reports_stay_as_they_are() -> None:
+    assert with_held(HALTED, look(""), SCENE) is HALTED
+    finished = ArmReport("finished", 1.0)
+    assert with_held(finished, look("block"), SCENE) is finished
+
+
+def test_nothing_known_below_is_no_height() -> None:
+    bare = Scene(bodies=SCENE.bodies)
+    assert with_held(HALTED, look("block"), bare).height_mm is None
