@@ -9,6 +9,7 @@ the covariances, the slow part, are followed once and no further than until they
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -68,6 +69,8 @@ class Smoothed:
         return np.asarray(np.linalg.norm(self.velocity, axis=1))
 
 
+# Cutting and generalizing smooth the same recording, which cannot change; remembered once.
+@lru_cache(maxsize=4)
 def smooth(recording: Recording, settings: SmoothingSettings | None = None) -> Smoothed:
     """Return the smoothed motion of a recording.
 

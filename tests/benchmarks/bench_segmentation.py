@@ -1,6 +1,6 @@
 """Cuts of ours and of others on the same demonstrations; one table.
 
-    python -m tests.benchmarks.bench_segmentation [--people DIR] [--seeds N] [--quick]
+    python -m tests.benchmarks.bench_segmentation [--people DIR] [--seeds N] [--only SET] [--quick]
 
 DIR holds recordings of people with their truth (folders with NAME.yaml, tree.yaml or
 NAME.tree.yaml, and truth.json). Peers are shown where they are installed: pip install ruptures
@@ -112,9 +112,14 @@ def rows(shows: list[Shown], smoothed: list[Smoothed]) -> Iterator[Row]:
     """Yield every method's name and what it finds."""
     shift_s = peers.best_shift(shows, TOLERANCES_S[-1])
 
+    known: dict[int, list[list[float]]] = {}
+
     def of(cutter: peers.Cutter, cues: bool) -> Callable[[list[Shown]], list[Sequence[float]]]:
         def find(given: list[Shown]) -> list[Sequence[float]]:
-            found = [cutter(shown, path) for shown, path in zip(given, smoothed, strict=True)]
+            if id(cutter) not in known:
+                pairs = zip(given, smoothed, strict=True)
+                known[id(cutter)] = [cutter(shown, path) for shown, path in pairs]
+            found = known[id(cutter)]
             if not cues:
                 return list(found)
             both = zip(found, given, strict=True)
@@ -229,11 +234,13 @@ def main() -> None:
     parser.add_argument("--people", type=Path, help="folder of recordings of people")
     parser.add_argument("--seeds", type=int, default=40)
     parser.add_argument("--quick", action="store_true", help="ours and cues only")
+    parser.add_argument("--only", default="", help="sets whose name begins so")
     given = parser.parse_args()
     sets = made_up(given.seeds)
     if given.people is not None:
         sets |= of_people(given.people)
-    for name, shows in sets.items():
+    for name in [name for name in sets if name.startswith(given.only)]:
+        shows = sets[name]
         report(name, shows, quick=given.quick)
 
 

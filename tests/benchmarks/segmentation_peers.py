@@ -89,7 +89,7 @@ def _with_count(fitted: object, count: int) -> list[int]:
 def _features(smoothed: Smoothed, feature: str) -> tuple[Array, Array]:
     """Return times and standardized rows, at most ten a second."""
     step = float(np.median(np.diff(smoothed.t_s)))
-    stride = max(round(0.1 / step), 1, len(smoothed.t_s) // 400)
+    stride = max(round(0.1 / step), 1, len(smoothed.t_s) // 250)
     speed = smoothed.speed[:, None]
     rows = {
         "velocity": np.hstack([smoothed.velocity, speed]),
