@@ -110,7 +110,7 @@ def _learn_one(
     if demonstration.recording.gripper_m is None:
         return lesson
     context = Context(demonstration, task, scene, GeneralizationSettings())
-    smoothed = smooth(demonstration.recording)
+    smoothed = smooth(demonstration.recording, SegmentationSettings().smoothing)
     events = gripper_events(demonstration.recording, SignalSettings())
     seen = visits(task, events, found.episodes) or touches(task, found.episodes)
     even = sampled(smoothed, [visit.at_s for visit in seen], context.given)

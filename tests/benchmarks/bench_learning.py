@@ -37,8 +37,10 @@ def tell(name: str, task: Task, shown: list[Demonstration], path: Path) -> None:
     scene = find_scene(shown[-1].setup.scene, path)
     times = []
     for _ in range(ROUNDS):
+        # A copy, so that nothing remembered of an earlier round helps.
+        fresh = [replace(one, recording=replace(one.recording)) for one in shown]
         begun = time.perf_counter()
-        learn(shown, task, scene=scene)
+        learn(fresh, task, scene=scene)
         times.append(time.perf_counter() - begun)
     samples = sum(len(one.recording.t_s) for one in shown)
     print(f"{name:<34}{samples:>9}{np.median(times):>11.3f}{min(times):>9.3f}")
