@@ -40,11 +40,24 @@ class Begun:
 
 @dataclass(frozen=True, slots=True)
 class Heard:
-    """The teacher said something; `text` is as typed or recognized."""
+    """The teacher said something; `text` is as typed or recognized.
+
+    Parameters
+    ----------
+    text : str
+    understanding : Understanding
+    by_voice : bool
+    sure : float
+        How surely it was recognized, in [0, 1]; the understanding counts it already.
+    ago_s : float
+        How long ago its first word began: recognizing takes its time.
+    """
 
     text: str
     understanding: Understanding
     by_voice: bool = False
+    sure: float = 1.0
+    ago_s: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

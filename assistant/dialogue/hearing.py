@@ -198,7 +198,7 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
     match act:
         case acts.Affirm() | acts.Approve() | acts.Start():
             return act_on_all(free, pending.acts, confirmed)
-        case acts.Deny() if pending.asked == "did_you_mean":
+        case acts.Deny() if pending.line.topic == "did_you_mean":
             return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
         case acts.Deny():
             return tell(free, line("told", "as_it_was"))

@@ -209,3 +209,9 @@ def test_the_action_spoken_of_tells_where_a_correction_belongs() -> None:
     assert (last(teacher).frame, last(teacher).primitive) == ("block", "grasp object")
     teacher.hear(acts.Translate("down", "little"), text="a bit lower")
     assert last(teacher).frame == "target"
+
+
+def test_no_to_a_large_change_leaves_all_as_it_was() -> None:
+    teacher = corrected(acts.Translate("up", distance_m=0.03)).hear(acts.Deny())
+    assert teacher.topics[0] == "told.as_it_was"
+    assert public_view(teacher.dialogue)["feedback"] == []
