@@ -9,6 +9,7 @@ from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, bared, text
 from assistant.language.poses import read_pose
 from assistant.language.sentences import best_sentence
 from assistant.language.words import Words
+from assistant.model.teacher_acts import Explain, KeyState, Save
 
 
 def clause(words: Words, hearing: Hearing) -> Parse | None:
@@ -16,7 +17,10 @@ def clause(words: Words, hearing: Hearing) -> Parse | None:
     best: Parse | None = None
     for bare in bared(words, hearing.book):
         for parse in _readings(bare, hearing):
-            if best is None or parse.score > best.score:
+            # Of two equal readings the one without courtesies in its names is right.
+            same = best is not None and type(best.acts[0]) is type(parse.acts[0])
+            same = same and not isinstance(parse.acts[0], KeyState | Explain | Save)
+            if best is None or parse.score > best.score or (same and parse.score == best.score):
                 best = parse
         if best is not None and best.score >= SURE - 0.01:
             return best

@@ -14,6 +14,8 @@ from assistant.model.teacher_acts import ACTS, TeacherAct
 
 LONGEST_NAME = 7
 _NOBODY = frozenset(
+    ("wrong", "right", "correct", "good", "ok", "fine", "missing", "bad", "optional", "required")
+) | frozenset(
     ("there", "it", "that", "this", "what", "which", "who", "they", "everything", "it is", "it's")
 )
 _NO_NAMES = (
@@ -26,6 +28,9 @@ _NO_NAMES = (
     "at the ",
     "after ",
     "before ",
+    "yes ",
+    "no ",
+    "ok ",
 )
 _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 

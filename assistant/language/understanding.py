@@ -52,6 +52,7 @@ from assistant.model.teacher_acts import (
     Rename,
     Required,
     Rotate,
+    Save,
     SetPose,
     Split,
     Start,
@@ -203,6 +204,9 @@ def _command(words: Words, hearing: Hearing) -> Parse | None:
     if repeated is not None:
         return repeated
     whole = clause(words, hearing)
+    if whole is not None and len(whole.acts) > 1 and whole.score >= LIKELY:
+        parted = compound(words, hearing) if any(word.broken for word in words[1:]) else None
+        whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
     if whole is not None and whole.score >= LIKELY:
         return _one(whole, hearing.listening)
     for other in (corrected, compound):
@@ -218,8 +222,8 @@ def _one(parse: Parse, listening: Listening) -> Parse:
     """Drop a yes that only leads into the rest, and a no that answers nothing."""
     acts: tuple[TeacherAct, ...] = parse.acts
     if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
-        saying_go = listening.asked == "ready" and isinstance(acts[1], Start)
-        if listening.asked is None or saying_go:
+        same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
+        if listening.asked is None or (same is not None and isinstance(acts[1], same)):
             acts = acts[1:]
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
     if all(isinstance(act, Affirm | Approve) for act in acts):

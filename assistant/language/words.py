@@ -99,6 +99,7 @@ def _separated(text: str) -> str:
     text = (
         re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
     )
+    text = re.sub(r"(?<![\d½¼¾])\"", " ", text)
     text = re.sub(r"(?<=\d)\s*(?=[°%\"])", " ", text)
     return re.sub(r"(?<![a-z\d_])(\d+(?:\.\d+)?)(?=(?!st\b|nd\b|rd\b|th\b)[a-z])", r"\1 ", text)
 
