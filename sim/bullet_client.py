@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import sys
 from collections.abc import Iterator
@@ -19,6 +20,8 @@ def _quiet() -> Iterator[None]:
             os.dup2(nowhere.fileno(), 1)
             yield
     finally:
+        # C keeps what it wrote in a buffer of its own where stdout is no terminal.
+        ctypes.CDLL(None).fflush(None)
         os.dup2(kept, 1)
         os.close(kept)
 
