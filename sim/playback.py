@@ -17,7 +17,8 @@ from sim import a465
 from sim.kinematics import forward
 from sim.world import CONTROL_S
 
-STANDS_RAD = 2e-5
+STANDS_RAD = 1e-4
+"""A tenth of a millimetre or less from its station the hand counts as standing there."""
 
 
 @dataclass(slots=True)
