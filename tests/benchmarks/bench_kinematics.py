@@ -17,16 +17,16 @@ from sim import a465
 from sim.kinematics import branch_of, forward, inverse, inverse_all
 from sim.urdf import ARM_JOINTS, write_urdf
 
-POSES, PEER_POSES, ROUNDS = 10_000, 500, 7
+POSES, PEER_POSES, ROUNDS = 10_000, 500, 9
 
 
 def best_us(work: Callable[[], object], count: int) -> float:
-    """Return the least time of several rounds, in microseconds for each of `count`."""
+    """Return the least time of several rounds, in processor microseconds for each of `count`."""
     times = []
     for _ in range(ROUNDS):
-        began = time.perf_counter()
+        began = time.process_time()
         work()
-        times.append(time.perf_counter() - began)
+        times.append(time.process_time() - began)
     return 1e6 * min(times) / count
 
 
