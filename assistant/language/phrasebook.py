@@ -68,6 +68,8 @@ def phrasebook(language: str = "english") -> Phrasebook:
     if folder is None:
         raise BadInput.one("language", f"unknown language {language!r}", "english or german")
     path = Path(__file__).parent / folder / "hears.yaml"
+    if not path.exists():
+        raise BadInput.one("language", f"{folder} is not understood yet", "english is")
     return _made(cast("dict[str, Any]", read_file(path)[0].value))
 
 
