@@ -1,0 +1,63 @@
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from assistant.cli import main
+from assistant.files.transcripts import read_transcript
+
+PLAY = """\
+format: transcript/1
+title: a short play
+arm: kinematic
+steps:
+- robot: {act: greet}
+- robot: {asked: task_name}
+- teacher: pick and place
+- robot: {asked: ASKED}
+"""
+
+
+def played(tmp_path: Path, text: str, *more: str) -> tuple[int, Path]:
+    path = tmp_path / "play.yaml"
+    path.write_text(text)
+    return main(["replay", str(path), *more]), path
+
+
+def test_a_play_that_goes_as_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    status, path = played(tmp_path, PLAY.replace("ASKED", "goal"), "--json")
+    assert status == 0
+    (told,) = json.loads(capsys.readouterr().out)["transcripts"]
+    assert told["file"] == str(path)
+    assert (told["passed"], told["line"], told["why"]) == (True, None, "")
+    assert not (tmp_path / "play.actual.yaml").exists()
+
+
+def test_a_play_that_differs_is_told_and_written(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status, path = played(tmp_path, PLAY.replace("ASKED", "objects"))
+    assert status == 1
+    assert f"{path}:8: expected asked 'objects', got 'goal'" in capsys.readouterr().err
+    actual = read_transcript(tmp_path / "play.actual.yaml")
+    assert [getattr(step, "asked", None) for step in actual.steps][-2] == "goal"
+
+
+def test_what_really_happened_passes_as_a_play(tmp_path: Path) -> None:
+    played(tmp_path, PLAY.replace("ASKED", "objects"))
+    assert main(["replay", str(tmp_path / "play.actual.yaml")]) == 0
+
+
+@pytest.mark.parametrize("text", ["", "format: transcript/9\n", "steps: [dance]\n"])
+def test_a_bad_play_is_bad_input(tmp_path: Path, text: str) -> None:
+    assert played(tmp_path, text)[0] == 2
+
+
+def test_a_step_that_cannot_be_done_is_a_difference(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = PLAY.replace("ASKED", "goal") + "- setup: nowhere\n"
+    assert played(tmp_path, text)[0] == 1
+    assert "no setup 'nowhere'" in capsys.readouterr().err
