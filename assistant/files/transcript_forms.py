@@ -40,6 +40,9 @@ class TeacherForm(Form):
     says: Text
     heard: Text | None = None
     at_s: NotNegative | None = Field(None, description="seconds into the running motion")
+    by_voice: Annotated[float, Field(ge=0.0, le=1.0)] | None = Field(
+        None, description="how surely it was heard, where it was spoken"
+    )
 
 
 class AboutForm(Form):

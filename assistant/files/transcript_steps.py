@@ -63,7 +63,7 @@ def step_of(form: forms.AnyStep, line: int) -> Step:
 def _teacher(form: str | forms.TeacherForm, line: int) -> TeacherLine:
     if isinstance(form, str):
         return TeacherLine(form, line=line)
-    return TeacherLine(form.says, form.heard, form.at_s, line)
+    return TeacherLine(form.says, form.heard, form.at_s, form.by_voice, line)
 
 
 def _robot(times: Times, form: Line, line: int) -> RobotLine:
@@ -148,10 +148,10 @@ def step_values(step: Step) -> dict[str, Any]:
 
 
 def _teacher_values(step: TeacherLine) -> Any:
-    if step.heard is None and step.at_s is None:
+    if step.heard is None and step.at_s is None and step.by_voice is None:
         return step.says
-    at_s = None if step.at_s is None else tidy(step.at_s)
-    return _given({"says": step.says, "heard": step.heard, "at_s": at_s})
+    at_s, sure = (None if one is None else tidy(one) for one in (step.at_s, step.by_voice))
+    return _given({"says": step.says, "heard": step.heard, "at_s": at_s, "by_voice": sure})
 
 
 def _robot_values(step: RobotLine) -> Any:

@@ -39,11 +39,14 @@ class TeacherLine:
         What the recognizer made of it; None if the same.
     at_s : float, optional
         Seconds into the running motion at which it is said; None for the teacher's turn.
+    by_voice : float, optional
+        How surely it was heard, in [0, 1], where it was spoken; None if typed.
     """
 
     says: str
     heard: str | None = None
     at_s: float | None = None
+    by_voice: float | None = None
     line: int = field(default=0, compare=False)
 
     @property

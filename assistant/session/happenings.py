@@ -89,7 +89,7 @@ def to_step(
         The recording's clock, for words said while a demonstration is watched.
     """
     if isinstance(event, events.Heard):
-        return TeacherLine(event.text, at_s=at_s)
+        return TeacherLine(event.text, at_s=at_s, by_voice=event.sure if event.by_voice else None)
     result = _result(event, store)
     return None if result is None else Happened(result)
 

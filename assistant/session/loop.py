@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue import events
@@ -122,18 +123,34 @@ class Session:
         if (self.moving or self._busy) and has_stop_word(text, self.language):
             self.equipment.stop_flag.set()
 
-    def understood(self, text: str) -> Understanding:
-        """Return what words mean here and now; while the arm moves a stop word means stop."""
+    def understood(self, text: str, sure: float = 1.0) -> Understanding:
+        """Return what words mean here and now; while the arm moves a stop word means stop.
+
+        Words that were not surely recognized mean nothing more surely than that.
+        """
         if self.listening.moving and has_stop_word(text, self.language):
             return Understanding((Stop(),), 1.0, text)
-        return understand(text, self.listening, self.language)
+        meant = understand(text, self.listening, self.language)
+        return replace(meant, confidence=min(meant.confidence, sure))
 
-    def hear(self, text: str, *, by_voice: bool = False) -> None:
-        """Take an utterance."""
+    def hear(
+        self, text: str, *, by_voice: bool = False, sure: float = 1.0, ago_s: float = 0.0
+    ) -> None:
+        """Take an utterance.
+
+        Parameters
+        ----------
+        text : str
+        by_voice : bool
+        sure : float
+            How surely the words were recognized.
+        ago_s : float
+            How long ago the first word began.
+        """
         self.raw(text)
         if not self.moving:
             self.equipment.stop_flag.clear()
-        self.happen(events.Heard(text, self.understood(text), by_voice))
+        self.happen(events.Heard(text, self.understood(text, sure), by_voice, sure, ago_s))
 
     def halt(self, why: str) -> None:
         """Stop the arm for a reason outside the conversation: a key, a closed window."""
@@ -231,7 +248,14 @@ class Session:
     def note(self, event: events.Event) -> None:
         """Keep the cues and key states said while a demonstration is watched."""
         if self.watching is not None and isinstance(event, events.Heard):
-            self.watching.hear(event.text, event.understanding)
+            self.watching.hear(event.text, event.understanding, self._said_s(event))
+
+    def _said_s(self, event: events.Event) -> float | None:
+        """Return when a cue's first word began, on the recording's clock."""
+        if self.watching is None:
+            return None
+        ago_s = event.ago_s if isinstance(event, events.Heard) else 0.0
+        return max(self.watching.now_s - ago_s, 0.0)
 
     def say(self, line: RobotAct) -> None:
         """Journal a robot line, then say it."""
@@ -253,8 +277,7 @@ class Session:
         if self.journal.trouble:
             return
         try:
-            at_s = self.watching.now_s if self.watching is not None else None
-            made = to_step(event, self.store, at_s)
+            made = to_step(event, self.store, self._said_s(event))
         except (OSError, BadInput) as error:
             self.journal.fail(error)
             return

@@ -152,7 +152,10 @@ class Player:
         if step.at_s is not None and not self.fed:
             self.session.run_until(step.at_s)
         self.listener("teacher", step.says)
-        self.session.hear(step.text)
+        if step.by_voice is None:
+            self.session.hear(step.text)
+        else:
+            self.session.hear(step.text, by_voice=True, sure=step.by_voice)
 
     def _settle(self, line: int) -> None:
         """Compare the robot lines expected so far with those said."""

@@ -90,7 +90,9 @@ def motion_pending(session: Session) -> bool:
 
 def _event(session: Session, past: Step) -> events.Event | None:
     if isinstance(past, TeacherLine):
-        return events.Heard(past.text, session.understood(past.text))
+        sure = 1.0 if past.by_voice is None else past.by_voice
+        understood = session.understood(past.text, sure)
+        return events.Heard(past.text, understood, past.by_voice is not None, sure)
     if isinstance(past, Happened):
         return from_happened(past.result, session.journal.folder)
     return None

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -79,6 +80,8 @@ def test_what_was_heard_is_a_teacher_line(tmp_path: Path) -> None:
     heard = events.Heard("then", Understanding((Affirm(),), 1.0, "then"))
     assert to_step(heard, Store(tmp_path)) == TeacherLine("then")
     assert to_step(heard, Store(tmp_path), 2.5) == TeacherLine("then", at_s=2.5)
+    spoken = replace(heard, by_voice=True, sure=0.6)
+    assert to_step(spoken, Store(tmp_path)) == TeacherLine("then", by_voice=0.6)
     assert to_step(events.Ticked(1.0), Store(tmp_path)) is None
 
 

@@ -13,7 +13,7 @@ HEAD = Transcript("a lesson", arm="kinematic")
 STEPS = (
     RobotLine(act="greet", topic="hello", words="Hello."),
     TeacherLine("it's called: pick & place - 'quoted' \"twice\""),
-    TeacherLine("then", at_s=1.25),
+    TeacherLine("then", at_s=1.25, by_voice=0.9),
     Happened({"arm": {"kind": "finished", "at_s": 3.2, "alignments": [{"object": "block"}]}}),
     Note("a remark"),
 )
