@@ -108,6 +108,7 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
         answers=answers,
         answer_words={name: _longest_first(book["answers"][name]) for name in wrappings}
         | {f"pose_{name}": _longest_first(told) for name, told in book["poses"].items()}
+        | {f"stop_{name}": _longest_first(told) for name, told in book["stops"].items()}
         | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
         again=_longest_first(book["again"]),

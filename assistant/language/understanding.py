@@ -157,11 +157,24 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
         parse = _meaning(variant, hearing)
         if parse.score * _REPAIRED > best.score and not isinstance(parse.acts[0], Unknown):
             best, heard = replace(parse, score=parse.score * _REPAIRED), variant
+    if best.score < LIKELY and _urgent(spelled, hearing):
+        return spelled, Parse((Stop(),), LIKELY)
     if best.score < DOUBTFUL or isinstance(best.acts[0], Unknown):
         guess = _likest(spelled, hearing)
         if guess is not None and guess.score > best.score - 0.1:
             best, heard = guess, spelled
     return heard, best
+
+
+def _urgent(words: Words, hearing: Hearing) -> bool:
+    """Tell a short cry that begins or ends with a stop word, whatever else is in it."""
+    texts = texts_of(words)
+    known = hearing.book.answer_words
+    if len(texts) > 4 or set(texts) & hearing.book.chat:
+        return False
+    ends = {texts[:1], texts[-1:], texts[-2:]}
+    calm = {word for phrase in known["stop_calm"] for word in phrase}
+    return bool(ends & set(known["stop_cries"])) and not set(texts) & calm
 
 
 def _likest(words: Words, hearing: Hearing) -> Parse | None:
