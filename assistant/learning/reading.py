@@ -18,6 +18,7 @@ from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
 
 _NEVER = -1e6
+_TOLD_CUTS_FACTOR = 4.0
 _AT_TOLD_CUT_S = 0.25
 """A gripper event so near to a cut that was told belongs to that cut."""
 
@@ -154,10 +155,14 @@ def _read(
     t_s = evidence.smoothed.t_s
     leaves = primitives(task.tree)
     given = settings.decoding
+    # Where the teacher cut, there is a step: leaving one out or naming none takes more.
+    rare = _TOLD_CUTS_FACTOR if fixed else 1.0
     at_s = np.array([t_s[0], *(spot.at_s for spot in candidates), t_s[-1]])
     between = stretches(at_s, evidence, _AT_TOLD_CUT_S if fixed else 1e-6)
     steps = fits(task, demonstration, evidence, between, settings)
-    unnamed = -given.insert + np.where(between.lasting_s < settings.validity.least_s, -3.0, 0.0)
+    unnamed = -rare * given.insert + np.where(
+        between.lasting_s < settings.validity.least_s, -3.0, 0.0
+    )
     cuts = np.zeros(len(at_s))
     cuts[1:-1] = local_scores(candidates, float(np.ptp(t_s)) / max(len(leaves), 1), given)
     if lag is not None:
@@ -169,7 +174,9 @@ def _read(
     if fixed:
         apart = np.triu(np.full(unnamed.shape, _NEVER), 2)
         steps, unnamed, cuts = steps + apart[:, :, None], unnamed + apart, np.zeros(len(at_s))
-    skips = np.array([-(given.skip_optional if leaf.optional else given.skip) for leaf in leaves])
+    skips = -rare * np.array(
+        [given.skip_optional if leaf.optional else given.skip for leaf in leaves]
+    )
     ways = [
         (decode(Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)])), order)
         for order in orders(task)
