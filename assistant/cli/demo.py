@@ -13,6 +13,7 @@ from __future__ import annotations
 import argparse
 import json
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -20,12 +21,11 @@ from assistant.cli import DONE, FAILED
 from assistant.errors import BadInput, WorkFailed
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from assistant.model.demonstration import Demonstration
     from assistant.model.task import Task
     from assistant.session.practice import SetupResult
 
+Show = Callable[[object], None]
 TABLE = "table1"
 TRANSCRIPT = "pick_and_place.yaml"
 LEARNED = "pick_and_place.yaml"
@@ -50,16 +50,17 @@ def run(args: argparse.Namespace) -> int:
 
     _make(args.out)
     console = terminal()
+    show = console.print
     # With --json, what people read goes to stderr: the answer alone is for programs.
     console.stderr = args.json
     clock = RealClock()
-    task, shown = _taught(console)
-    console.print(view(task))
+    task, shown = _taught(show)
+    show(view(task))
     write_task(task, args.out / LEARNED)
     figures = write_figures(task, args.out, shown)
-    results = _practiced(task, console)
+    results = _practiced(task, show)
     for path in (args.out / LEARNED, *figures):
-        console.print(f"wrote {path}")
+        show(f"wrote {path}")
     if args.json:
         answer = {**learn_values(task), **tally(results), "wall_s": round(clock.now_s(), 3)}
         print(json.dumps(answer))
@@ -74,7 +75,7 @@ def _make(folder: Path) -> None:
         raise BadInput.one(str(folder), what, "name a folder you may write in") from error
 
 
-def _taught(console: Console) -> tuple[Task, Demonstration]:
+def _taught(show: Show) -> tuple[Task, Demonstration]:
     """Hold the shipped lesson and return what was learned and what was shown in it."""
     from assistant.cli.adapters import make_equipment
     from assistant.files.shipped import shipped
@@ -84,7 +85,7 @@ def _taught(console: Console) -> tuple[Task, Demonstration]:
 
     transcript = read_transcript(shipped("transcripts") / TRANSCRIPT)
     with tempfile.TemporaryDirectory(prefix="assistant-") as folder:
-        player = Player(transcript, make_equipment, Path(folder), dialogue_writer(console.print))
+        player = Player(transcript, make_equipment, Path(folder), dialogue_writer(show))
         played = player.play()
     if played.difference is not None:
         where = f"{transcript.source}:{played.difference.line}"
@@ -95,7 +96,7 @@ def _taught(console: Console) -> tuple[Task, Demonstration]:
     return known.task, known.demonstrations[-1]
 
 
-def _practiced(task: Task, console: Console) -> list[SetupResult]:
+def _practiced(task: Task, show: Show) -> list[SetupResult]:
     """Practice the setups of Table I and show how they went, beside the paper."""
     from assistant.cli.adapters import make_arm
     from assistant.files.finding import find_setups
@@ -113,5 +114,5 @@ def _practiced(task: Task, console: Console) -> list[SetupResult]:
         result = practice_setup(task, scene, setup, arm=arm, planner=planner, clock=clock)
         results.append(result)
     rows = [(one.name, one.status, one.distance_mm, one.angle_deg) for one in results]
-    console.print(alignment_table(rows))
+    show(alignment_table(rows))
     return results

@@ -11,7 +11,7 @@ PAPER_MM_DEG = ((0.0, 0.1), (0.5, 0.0), (1.0, 0.0), (1.0, 0.0))
 """Alignment errors in the paper's four setups. Source: paper, Table I."""
 
 
-def dialogue_writer(write: Callable[[Text], None]) -> Callable[[str, str], None]:
+def dialogue_writer(write: Callable[[object], None]) -> Callable[[str, str], None]:
     """Return a listener that writes a play line by line."""
 
     def listen(who: str, words: str) -> None:
