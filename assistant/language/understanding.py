@@ -11,6 +11,7 @@ from dataclasses import replace
 from assistant.language.answers import OPEN, answer, trimmed, wrapped
 from assistant.language.clauses import clause
 from assistant.language.compounds import compound, corrected, once_more
+from assistant.language.guessing import asks, guess, urgent
 from assistant.language.naming import known_name
 from assistant.language.parsing import (
     DOUBTFUL,
@@ -24,12 +25,10 @@ from assistant.language.parsing import (
 from assistant.language.phrasebook import Phrasebook, phrasebook
 from assistant.language.repair import homophones, respelled, without_slips
 from assistant.language.sentences import best_sentence
-from assistant.language.similarity import likest
 from assistant.language.stopping import has_stop_word
-from assistant.language.words import Words, plain, said, spoken, words_of
+from assistant.language.words import Words, plain, spoken, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
-    ACTS,
     AddSubtask,
     AdjustLast,
     AdjustSpeed,
@@ -77,23 +76,6 @@ _STRUCTURE = (
     Split,
     Assign,
     MoveCut,
-)
-_QUESTIONS = frozenset(
-    [
-        "what",
-        "who",
-        "where",
-        "when",
-        "which",
-        "whose",
-        "why",
-        "how",
-        "do",
-        "did",
-        "are",
-        "is",
-        "can",
-    ]
 )
 _REPAIRED = 0.97
 MOST_WORDS = 60
@@ -157,42 +139,13 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
         parse = _meaning(variant, hearing)
         if parse.score * _REPAIRED > best.score and not isinstance(parse.acts[0], Unknown):
             best, heard = replace(parse, score=parse.score * _REPAIRED), variant
-    if best.score < LIKELY and _urgent(spelled, hearing):
+    if best.score < LIKELY and urgent(spelled, hearing):
         return spelled, Parse((Stop(),), LIKELY)
     if best.score < DOUBTFUL or isinstance(best.acts[0], Unknown):
-        guess = _likest(spelled, hearing)
-        if guess is not None and guess.score > best.score - 0.1:
-            best, heard = guess, spelled
+        likely = guess(spelled, hearing)
+        if likely is not None and likely.score > best.score - 0.1:
+            best, heard = likely, spelled
     return heard, best
-
-
-def _urgent(words: Words, hearing: Hearing) -> bool:
-    """Tell a short cry that begins or ends with a stop word, whatever else is in it."""
-    texts = texts_of(words)
-    known = hearing.book.answer_words
-    if len(texts) > 4 or set(texts) & hearing.book.chat:
-        return False
-    ends = {texts[:1], texts[-1:], texts[-2:]}
-    calm = {word for phrase in known["stop_calm"] for word in phrase}
-    return bool(ends & set(known["stop_cries"])) and not set(texts) & calm
-
-
-def _likest(words: Words, hearing: Hearing) -> Parse | None:
-    """Return the act of the likest known sentence, unless people chat or answer."""
-    texts = texts_of(words)
-    answering = hearing.listening.asked in OPEN and not _asks(words)
-    if answering or set(texts) & hearing.book.chat or len(texts) > 14:
-        return None
-    found = likest(texts, hearing.listening, hearing.language)
-    if found is None:
-        return None
-    sentence, score = found
-    slots = dict(sentence.slots)
-    if sentence.extra == "text":
-        slots["text"] = said(words)
-    elif sentence.extra:
-        return None
-    return Parse((ACTS[sentence.act](**slots),), score)
 
 
 def _meaning(words: Words, hearing: Hearing) -> Parse:
@@ -261,7 +214,7 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     chatting = (
         texts & hearing.book.chat and len(words) > 3 and not wrapped(bare, asked, hearing.book)
     )
-    asking = bare and _asks(bare) and not wrapped(bare, asked, hearing.book)
+    asking = bare and asks(bare) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
@@ -272,12 +225,6 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
         known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
         found = Inform(known or found.value)
     return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
-
-
-def _asks(words: Words) -> bool:
-    """Tell a question or a polite request from an answer."""
-    polite = words[0].text in ("could", "would", "will", "may", "shall") and len(words) > 1
-    return words[0].text in _QUESTIONS or (polite and words[1].text in ("you", "i", "we"))
 
 
 def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:
