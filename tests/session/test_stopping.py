@@ -1,0 +1,75 @@
+"""Stopping goes beside language and the queue, and latches."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from assistant.session.loop import Session
+from tests.session.lessons import Heard, lesson, opened
+
+REST_S = 0.25
+
+
+@pytest.fixture
+def moving(tmp_path: Path) -> Iterator[tuple[Session, Heard]]:
+    """A session whose arm is on its way to the block."""
+    heard = Heard()
+    session = opened(tmp_path, heard)
+    for _ in lesson(session):
+        if session.moving:
+            break
+    session.run_until(3.0)
+    yield session, heard
+    session.close()
+
+
+@pytest.mark.parametrize("words", ["stop", "STOP!", "don't stop", "please stop it now", "halt"])
+def test_raw_input_stops_before_it_is_understood(moving: tuple[Session, Heard], words: str) -> None:
+    session, heard = moving
+    session.raw(words)
+    begun_s = session.mover.now_s
+    session.rest()
+    assert session.mover.now_s - begun_s <= REST_S
+    assert heard.topics[-1] == "stopped.stop"
+    session.hear("resume")
+    assert not session.moving
+
+
+@pytest.mark.parametrize("words", ["go on", "nice", "slower", "what is next?"])
+def test_other_words_stop_nothing(moving: tuple[Session, Heard], words: str) -> None:
+    session, _ = moving
+    session.raw(words)
+    assert not session.equipment.stop_flag.is_set()
+
+
+def test_only_a_new_start_moves_again(moving: tuple[Session, Heard]) -> None:
+    session, heard = moving
+    session.hear("stop")
+    session.rest()
+    where = session.mover.look.hand.copy()
+    session.pass_s(2.0)
+    assert (session.mover.look.hand == where).all()
+    session.hear("start")
+    assert session.moving
+    session.rest()
+    assert "done.run" in heard.topics
+
+
+def test_a_key_and_a_closed_window_stop_with_the_reason(moving: tuple[Session, Heard]) -> None:
+    session, heard = moving
+    session.halt("you pressed Ctrl-C")
+    session.rest()
+    assert [text for line, text in heard.lines if line.act == "stopped"] != []
+    assert "Ctrl-C" in heard.lines[-1][1]
+    assert session.dialogue.arm == "stopped"
+
+
+def test_at_rest_a_stop_word_blocks_no_later_start(tmp_path: Path) -> None:
+    session = opened(tmp_path)
+    session.halt("nothing moves")
+    session.hear("my bus stop is near")
+    assert not session.equipment.stop_flag.is_set()
+    session.close()
