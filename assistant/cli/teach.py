@@ -103,7 +103,13 @@ def _opened(args: argparse.Namespace, out: Out) -> Session:
     if args.resume is None:
         return open_session(opening, _header(args))
     name = newest_session(opening.sessions) if args.resume == NEWEST else args.resume
-    return resume_session(opening, name)
+    try:
+        return resume_session(opening, name)
+    except (KeyError, TypeError, ValueError, OSError) as error:
+        # Files beside the journal were changed by hand or are gone.
+        where = str(opening.sessions / name)
+        what = f"the session cannot be read back ({type(error).__name__}: {error})"
+        raise BadInput.one(where, what, "its files as they were written") from error
 
 
 def _header(args: argparse.Namespace) -> Transcript:

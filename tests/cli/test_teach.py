@@ -148,6 +148,15 @@ def test_what_cannot_be_opened_is_told_in_a_line(
     assert "Traceback" not in ended.stderr
 
 
+def test_a_journal_whose_files_are_gone_is_bad_input(tmp_path: Path) -> None:
+    run(tmp_path, lines="pick and place\n")
+    (tmp_path / "sessions" / "1" / "scene_1.yaml").unlink()
+    ended = run(tmp_path, "--resume")
+    assert ended.returncode == 2
+    assert "scene_1.yaml" in ended.stderr
+    assert "Traceback" not in ended.stderr
+
+
 def test_a_home_that_cannot_be_written_is_told_and_the_talk_goes_on(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("not a folder")
     ended = run(tmp_path / "file", lines="pick and place\nquit\nno\n")
