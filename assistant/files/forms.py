@@ -112,19 +112,35 @@ def check_format(document: Document, *formats: str) -> str:
     return str(told)
 
 
-def validated(form: type[AnyForm], document: Document) -> AnyForm:
-    """Return the form a document fills in, or raise `BadInput` with every problem found."""
+def validated(form: type[AnyForm], document: Document, others: Sequence[Problem] = ()) -> AnyForm:
+    """Return the form a document fills in, or raise `BadInput` with every problem found.
+
+    Parameters
+    ----------
+    form : type of Form
+    document : Document
+    others : sequence of Problem
+        Found already by looking at what no form can see.
+    """
     known: dict[int, list[str]] = {}
     try:
-        return form.model_validate(document.value, context=known)
+        filled = form.model_validate(document.value, context=known)
     except ValidationError as error:
         found = error.errors(include_url=False)
-        problems = [_problem(detail, document, known) for detail in found]
+        problems = [*(_problem(detail, document, known) for detail in found), *others]
         raise BadInput(_unique(problems)[:MOST_PROBLEMS]) from error
+    if others:
+        raise BadInput(_unique(others)[:MOST_PROBLEMS])
+    return filled
 
 
 def _unique(problems: Iterable[Problem]) -> list[Problem]:
-    return list(dict.fromkeys(problems))
+    return sorted(dict.fromkeys(problems), key=_line)
+
+
+def _line(problem: Problem) -> int:
+    number = problem.where.rpartition(":")[2]
+    return int(number) if number.isdigit() else 0
 
 
 def _problem(detail: ErrorDetails, document: Document, known: dict[int, list[str]]) -> Problem:

@@ -7,7 +7,6 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from assistant.errors import BadInput
 from assistant.files.forms import Form, Name, Text, check_format, the_document, validated
 from assistant.files.lesson_forms import LearnedForm
 from assistant.files.lessons import learned_values, lesson_of
@@ -16,8 +15,8 @@ from assistant.files.tree_forms import (
     SubtaskForm,
     node_values,
     objects_of,
-    tree_problems,
 )
+from assistant.files.tree_problems import tree_problems
 from assistant.files.writing import write_text
 from assistant.model.task import Task, primitives
 from assistant.plain_yaml import Document, read_file, write
@@ -52,12 +51,9 @@ def read_task(path: Path) -> Task:
 def task_of(document: Document) -> Task:
     """Return the task a document tells."""
     check_format(document, FORMAT)
-    form = validated(TaskFile, document)
+    form = validated(TaskFile, document, tree_problems(document))
     tree = form.tree.node()
     task = Task(form.name, tree, form.goal, objects_of(form.objects))
-    problems = tree_problems(task, document)
-    if problems:
-        raise BadInput(problems)
     leaves = len(primitives(tree))
     learned = None if form.learned is None else lesson_of(form.learned, document, leaves)
     return Task(task.name, task.tree, task.goal, task.objects, learned)

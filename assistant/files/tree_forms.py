@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag, model_validator
 
-from assistant.errors import Problem
 from assistant.files.forms import Form, Name, Text, Truth
 from assistant.model.task import (
     Action,
@@ -16,12 +15,9 @@ from assistant.model.task import (
     Primitive,
     Role,
     Subtask,
-    Task,
     TaskObject,
     Verb,
-    walk,
 )
-from assistant.plain_yaml import Document
 
 Move = Literal["approach", "depart", "to", "up", "down", "left", "right", "forward", "backward"]
 Turn = Literal[
@@ -149,52 +145,6 @@ def conditions_of(forms: Sequence[ConditionForm]) -> tuple[Condition, ...]:
 def objects_of(forms: Mapping[str, ObjectForm]) -> tuple[TaskObject, ...]:
     """Return the objects told."""
     return tuple(TaskObject(name, form.role) for name, form in forms.items())
-
-
-def tree_problems(task: Task, document: Document) -> list[Problem]:
-    """Return names that stand twice, and objects nobody introduced."""
-    problems: list[Problem] = []
-    seen: dict[tuple[type, str], int] = {}
-    for index, node in walk(task.tree):
-        place = _place(index)
-        line = document.line([*place, "primitive" if isinstance(node, Primitive) else "subtask"])
-        first = seen.setdefault((type(node), node.name), line)
-        if first != line:
-            what = f"the name {node.name!r} stands here again (first on line {first})"
-            where = f"{document.file}:{line}"
-            problems.append(Problem(where, what, "each name once, so that talk can refer to it"))
-        if isinstance(node, Primitive):
-            problems += _unknown_objects(node, task, document, place)
-    return problems
-
-
-def _place(index: Sequence[int]) -> list[str | int]:
-    place: list[str | int] = ["tree"]
-    for position in index:
-        place += ["parts", position - 1]
-    return place
-
-
-def _unknown_objects(
-    node: Primitive, task: Task, document: Document, place: list[str | int]
-) -> list[Problem]:
-    known = ", ".join(each.name for each in task.objects) or "none"
-    problems = []
-    for key, name in _mentioned(node):
-        if name is not None and task.object(name) is None:
-            where = document.where([*place, *key])
-            right = f"introduce it under objects: (known: {known})"
-            problems.append(Problem(where, f"there is no object {name!r}", right))
-    return problems
-
-
-def _mentioned(node: Primitive) -> Iterator[tuple[list[str | int], str | None]]:
-    yield ["action", "object"], node.action.object
-    for key, conditions in (("before", node.before), ("until", node.until)):
-        for number, condition in enumerate(conditions):
-            if condition.kind != "hand":
-                yield [key, number], condition.object
-                yield [key, number], condition.target
 
 
 def node_values(node: Subtask | Primitive) -> dict[str, Any]:

@@ -122,6 +122,17 @@ def test_all_problems_are_told_at_once(tmp_path: Path) -> None:
     assert len(caught.value.problems) == 3
 
 
+def test_what_no_form_sees_is_told_with_the_rest_in_the_order_of_lines(tmp_path: Path) -> None:
+    text = TREE.replace("name: lift", "nmae: lift").replace("grasp it", "go there")
+    with pytest.raises(BadInput) as caught:
+        read_task(written(tmp_path, text.replace("object: block}", "object: blok}", 1)))
+    told = [str(problem).split(": ", 1)[1] for problem in caught.value.problems]
+    assert told[0].startswith("key 'name' is missing")
+    assert told[1].startswith("unknown key 'nmae'; did you mean 'name'?")
+    assert sum("there is no object 'blok'" in one for one in told) == 1
+    assert "the name 'go there' stands here again (first on line 8)" in told[-1]
+
+
 @pytest.mark.parametrize(
     ("old", "new", "told"),
     [
