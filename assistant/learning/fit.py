@@ -6,6 +6,7 @@ Factors as in the paper: (a) the motion's character against the action, (b) sali
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -86,13 +87,14 @@ def fits(
     """Return the log odds of each stretch as each primitive, shape (n, n, leaves)."""
     leaves = primitives(task.tree)
     places = known_places(task, demonstration, evidence)
+    moved = _after_moving(leaves)
     usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
     scores = [
         _character(leaf, between, seen, settings)
         + _events(leaf, task, between, seen, told, settings)
-        + _objects(leaf, places, between, settings)
+        + _objects(leaf, {} if leaf.name in moved else places, between, settings)
         + _lasting(leaf, between, usual_s, settings)
         for leaf in leaves
     ]
@@ -121,6 +123,19 @@ def known_places(task: Task, demonstration: Demonstration, evidence: Evidence) -
             row = int(np.clip(np.searchsorted(smoothed.t_s, instant), 0, len(smoothed.t_s) - 1))
             places[name] = smoothed.path[row, :3]
     return places
+
+
+def _after_moving(leaves: Sequence[Primitive]) -> frozenset[str]:
+    """Return the primitives about a thing that has been carried off from its told place."""
+    taken: set[str] = set()
+    found = set()
+    for leaf in leaves:
+        name = leaf.action.object or ""
+        if name in taken and leaf.action.way not in ("depart", "up"):
+            found.add(leaf.name)
+        if leaf.action.way == "close":
+            taken.add(name)
+    return frozenset(found)
 
 
 def _in_order(task: Task, role: str) -> list[str]:

@@ -15,7 +15,7 @@ from assistant.learning.generalization import Sampled, primitive_at, sampled
 from assistant.learning.segmentation import segment
 from assistant.learning.signals import gripper_events
 from assistant.learning.smoothing import smooth
-from assistant.learning.stations import Visit, frames, touches, visits
+from assistant.learning.stations import Visit, frames, told_for_hand, touches, visits
 from assistant.learning.structure import optional_questions
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
@@ -74,7 +74,7 @@ def learn(
             task,
             scene,
             segment(
-                demonstration,
+                told_for_hand(demonstration, scene),
                 task,
                 settings,
                 cuts_s=cuts_s if k == last else None,

@@ -7,16 +7,17 @@ that tells it; the frame is the object's for a grasp, the target's for a release
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
-from assistant.geometry import IDENTITY, Array, compose, inverse, relative
+from assistant.geometry import IDENTITY, Array, compose, inverse, pose_to_mm_deg, relative
 from assistant.learning.signals import GripperEvent
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode
 from assistant.model.scene import Scene
+from assistant.model.setup import Place
 from assistant.model.task import Primitive, Task, primitives
 
 
@@ -112,6 +113,23 @@ def frames(
             # From now on its frame stays where the hand let go, and others may be put on it.
             now[visit.object] = compose(hand, in_hand.pop(visit.object, IDENTITY))
     return out
+
+
+def told_for_hand(demonstration: Demonstration, scene: Scene | None) -> Demonstration:
+    """Return a demonstration whose places are told as flange poses, as far as the scene tells."""
+    if scene is None:
+        return demonstration
+    places = {
+        name: _for_hand(scene, name, place) for name, place in demonstration.setup.places.items()
+    }
+    return replace(demonstration, setup=replace(demonstration.setup, places=places))
+
+
+def _for_hand(scene: Scene, name: str, place: Place) -> Place:
+    if place.kind == "hand" or name not in scene.bodies:
+        return place
+    xyz, rpy = (tuple(row.tolist()) for row in pose_to_mm_deg(scene.hand_pose(name, place)))
+    return Place("hand", xyz, rpy)
 
 
 def _unknown(visit: Visit, hand: Array, in_hand: dict[str, Array], scene: Scene) -> Array:

@@ -1,4 +1,4 @@
-"""Writes the demonstrations that ship: ``python -m sim.hands.shipping tasks``.
+"""Writes the demonstrations that ship: ``python -m sim.hands.shipping tasks [NAME...]``.
 
 They are what the scripted hand shows with fixed seeds and a brisk teacher's habits, so that
 anyone can make them again.
@@ -7,6 +7,7 @@ anyone can make them again.
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from assistant.files.setups import read_setups
 from assistant.files.tasks import read_task
 from assistant.geometry import quat_normalize
 from assistant.model.demonstration import Recording
+from assistant.model.task import Subtask
 from sim.hands.habits import Habits
 from sim.hands.scripted import ScriptedHand
 
@@ -32,19 +34,34 @@ BRISK = Habits(
     cue_missing=0.0,
     key_states=1.0,
 )
-SHIPPED = (("pick_and_place", "demonstration", 7), ("stacking", "stacking", 11))
+SHIPPED = (
+    ("pick_and_place", "demonstration", 7),
+    ("stacking", "stacking", 11),
+    ("sorting", "sorting", 5),
+)
 """Task, setup and seed of each."""
+LAST_FIRST = ("sorting",)
+"""Tasks whose parts of any order are shown in the opposite order of their telling."""
 
 
-def ship(folder: Path) -> None:
-    """Write every shipped demonstration into ``demonstrations`` of the folder of tasks."""
+def ship(folder: Path, names: Sequence[str] = ()) -> None:
+    """Write shipped demonstrations, all or some, into ``demonstrations`` of the tasks' folder."""
     for name, where, seed in SHIPPED:
+        if names and name not in names:
+            continue
         task = read_task(folder / f"{name}.yaml")
+        task = replace(task, tree=last_first(task.tree)) if name in LAST_FIRST else task
         setup = read_setups(folder / "setups" / f"{where}.yaml")[0]
         scene = read_scene(folder / "scenes" / f"{setup.scene}.yaml")
         shown = ScriptedHand(task, scene, setup, seed, habits=BRISK).demonstration()
         path = folder / "demonstrations" / f"{name}.yaml"
         write_demonstration(replace(shown, recording=_rounded(shown.recording)), path)
+
+
+def last_first(tree: Subtask) -> Subtask:
+    """Return a tree whose parts of any order stand in the opposite order."""
+    parts = tuple(last_first(part) if isinstance(part, Subtask) else part for part in tree.parts)
+    return replace(tree, parts=parts[::-1] if tree.order == "any" else parts)
 
 
 def _rounded(recording: Recording) -> Recording:
@@ -56,4 +73,4 @@ def _rounded(recording: Recording) -> Recording:
 
 
 if __name__ == "__main__":
-    ship(Path(sys.argv[1] if len(sys.argv) > 1 else "tasks"))
+    ship(Path(sys.argv[1] if len(sys.argv) > 1 else "tasks"), sys.argv[2:])

@@ -1,0 +1,60 @@
+"""Other kinds of task: learned from what ships, and practiced in contact in moved setups."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from assistant.files.demonstrations import read_demonstration
+from assistant.files.scenes import find_scene
+from assistant.files.setups import read_setups
+from assistant.files.tasks import read_task
+from assistant.learning.lesson import learn
+from assistant.model.task import Task
+from assistant.session.practice import SetupResult, practice_setup
+from sim.bullet_arm import BulletArm
+from sim.planner import A465Planner
+from sim.sensor import InHandSensor
+
+TASKS = Path(__file__).parents[2] / "tasks"
+
+
+@cache
+def learned(name: str) -> Task:
+    task = read_task(TASKS / f"{name}.yaml")
+    path = TASKS / "demonstrations" / f"{name}.yaml"
+    shown = read_demonstration(path)
+    return replace(task, learned=learn([shown], task, scene=find_scene(shown.setup.scene, path)))
+
+
+def practiced(name: str, number: int) -> SetupResult:
+    path = TASKS / "setups" / f"{name}.yaml"
+    setup = read_setups(path)[number]
+    scene = find_scene(setup.scene, path)
+    arm = BulletArm(sensor=InHandSensor())
+    return practice_setup(learned(name), scene, setup, arm=arm, planner=A465Planner())
+
+
+def test_parts_of_any_order_are_known_by_where_their_things_are() -> None:
+    lesson = learned("sorting").learned
+    assert lesson is not None
+    taken = [(one.kind, one.object, one.frame) for one in lesson.stations]
+    assert taken == [
+        ("grasp", "blue block", "blue block"),
+        ("release", "blue block", "blue square"),
+        ("grasp", "red block", "red block"),
+        ("release", "red block", "red square"),
+    ]
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_each_block_is_sorted_to_its_square(number: int) -> None:
+    result = practiced("sorting", number)
+    assert result.status == "done", result.reason
+    pairs = {(one.object, one.target) for one in result.reports[-1].alignments}
+    assert pairs == {("red block", "red square"), ("blue block", "blue square")}
+    assert result.distance_mm is not None
+    assert result.distance_mm < 0.5
