@@ -15,7 +15,7 @@ from assistant.files.tasks import read_task
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
-from assistant.model.transcript import Restart, SetupChoice, Transcript
+from assistant.model.transcript import Happened, Restart, SetupChoice, Transcript
 from assistant.session.doing import do
 from assistant.session.equipment import EquipmentMaker
 from assistant.session.journal import Journal
@@ -66,6 +66,13 @@ def open_session(opening: Opening, header: Transcript, *, fed: bool = False) -> 
     return session
 
 
+def _begin_anew(session: Session, header: Transcript, names: tuple[str, ...]) -> None:
+    """Begin a session that was killed before its first event was written."""
+    scene, setup = chosen(header.setup or SetupChoice(name=FIRST_SETUP), Path())
+    task = read_task(Path(header.task)) if header.task else None
+    session.begin(scene, setup, task, names)
+
+
 def _session(opening: Opening, journal: Journal, header: Transcript, *, fed: bool) -> Session:
     equipment = opening.equipment("kinematic" if fed else header.arm)
     return Session(equipment, journal, opening.out, opening.library, header.language, fed=fed)
@@ -108,6 +115,9 @@ def resume_session(opening: Opening, name: str) -> Session:
     past = journal.resume()
     session = _session(opening, journal, past, fed=False)
     session.store.learn_names()
+    if not any(isinstance(step, Happened) for step in past.steps):
+        _begin_anew(session, past, opening.library.names())
+        return session
     fed = feed(session, past.steps)
     session.mover.arrange(session.mover.scene, session.mover.setup)
     journal.write(Restart())
