@@ -38,14 +38,40 @@ def place_on(
     On a target that can be moved (stacking) it is the middle of its upper face, wherever that
     body now is; on any other it follows from the flange pose of a release there.
     """
-    below = scene.bodies.get(target)
-    if below is not None and below.mass_kg > 0 and target in bodies:
+    below = _movable(scene, target, bodies)
+    if below is not None:
         top = np.array(IDENTITY)
         top[2] = below.size_mm[2] / 1000.0
         return compose(bodies[target], top)
     hand = scene.hand_pose(target, setup.places[target])
     carried = scene.bodies.get(name)
     return compose(hand, inverse(carried.hand_in_body)) if carried else hand
+
+
+def _movable(scene: Scene, name: str, bodies: Mapping[str, Array]) -> Body | None:
+    body = scene.bodies.get(name)
+    return body if body is not None and body.mass_kg > 0 and name in bodies else None
+
+
+def place_of(scene: Scene, setup: Setup, stop: HandStop, bodies: Mapping[str, Array]) -> Array:
+    """Return where what is let go at a stop belongs, shape (7,): moved as the teacher corrected.
+
+    A correction moves the place along the surface and turns it there; what is let go higher or
+    tilted still comes to lie on the surface.
+    """
+    place = place_on(scene, setup, stop.object, stop.frame, bodies)
+    below = _movable(scene, stop.frame, bodies)
+    frame = (
+        compose(bodies[stop.frame], below.hand_in_body)
+        if below is not None
+        else scene.hand_pose(stop.frame, setup.places[stop.frame])
+    )
+    moved = compose(frame, compose(np.array(stop.shift), inverse(frame)))
+    along = compose(inverse(place), compose(moved, place))
+    # The part within the surface: two directions and the turn about its normal.
+    flat = np.array([along[0], along[1], 0.0, 0.0, 0.0, along[5], along[6]])
+    flat[3:] /= max(float(np.linalg.norm(flat[3:])), 1e-12)
+    return compose(place, flat)
 
 
 def base_corners(body: Body) -> Array:
@@ -93,6 +119,6 @@ def alignments(
         body = scene.bodies.get(stop.object)
         if body is None or stop.object not in bodies or stop.frame not in setup.places:
             continue
-        place = place_on(scene, setup, stop.object, stop.frame, bodies)
+        place = place_of(scene, setup, stop, bodies)
         found.append(alignment(body, bodies[stop.object], place, stop.frame))
     return tuple(found)

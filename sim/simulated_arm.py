@@ -241,7 +241,7 @@ class SimulatedArm:
         bodies = self.world.bodies()
         if stop.object not in bodies or stop.frame not in self._setup.places:
             return (opened,)
-        place = alignment.place_on(self._scene, self._setup, stop.object, stop.frame, bodies)
+        place = alignment.place_of(self._scene, self._setup, stop, bodies)
         self._told[stop.object] = bodies[stop.object]
         if not alignment.rests_on(self._scene, stop.object, stop.frame, bodies[stop.object], place):
             return opened, self._halt("unmet", "on", stop.object, stop.frame)

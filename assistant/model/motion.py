@@ -26,6 +26,8 @@ class HandStop:
         As in `assistant.model.lesson.Station`.
     docking_at, left_at : int
         The constrained stretch around it, in samples.
+    shift : 7 numbers
+        How the teacher's corrections moved it, a pose within `frame`.
     """
 
     at: int
@@ -34,6 +36,7 @@ class HandStop:
     frame: str
     docking_at: int
     left_at: int
+    shift: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -15,9 +17,10 @@ from assistant.geometry import (
     inverse,
     pose_from_mm_deg,
 )
+from assistant.model.motion import HandStop
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
-from sim.alignment import alignment, place_on, rests_on
+from sim.alignment import alignment, place_of, place_on, rests_on
 from sim.correction import corrected, release_offset
 from sim.kinematics import forward
 from sim.sensor import InHandSensor, PlaceNoise
@@ -54,6 +57,26 @@ def test_the_place_on_a_movable_body_is_its_top_wherever_it_is() -> None:
     assert rests_on(scene, "block", "lower", place, place)
     tilted = compose(place, pose_from_mm_deg((0, 0, 0), (10, 0, 0)))
     assert not rests_on(scene, "block", "lower", tilted, place)
+
+
+@pytest.mark.parametrize("target", ["lower", "mark"])
+def test_a_corrected_place_moves_along_its_surface(target: str) -> None:
+    lower = Body("lower", size_mm=(80, 60, 70))
+    mark = Body("mark", size_mm=(80, 60, 0), mass_kg=0.0)
+    scene = Scene(bodies={"block": BLOCK, "lower": lower, "mark": mark})
+    setup = Setup(places={target: Place("body", (500, 100, 240), (0, 0, 30))})
+    shift = pose_from_mm_deg((0, 5, 2), (0, 0, 3))
+    stop = HandStop(5, "release", "block", target, 0, 9)
+    bodies = {target: PLACE}
+    told = place_of(scene, setup, stop, bodies)
+    assert np.allclose(told, place_on(scene, setup, "block", target, bodies))
+    place = place_of(scene, setup, replace(stop, shift=tuple(shift.tolist())), bodies)
+    assert place[2] == pytest.approx(told[2])
+    assert np.rad2deg(float(angle_between(place, told))) == pytest.approx(3.0)
+    # The frame is the hand's: 134.1 mm behind the middle of the block, and turned with it.
+    by = compose(inverse(told), place)[:2] * 1000.0
+    turn = np.deg2rad(3.0)
+    assert np.allclose(by, 134.1 * np.array([np.cos(turn) - 1, np.sin(turn)]) + [0, 5], atol=1e-6)
 
 
 @settings(max_examples=10, deadline=None)
