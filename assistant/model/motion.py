@@ -147,6 +147,32 @@ class Alignment:
 
 
 @dataclass(frozen=True, slots=True)
+class Measure:
+    """How well something was done that corners and edges do not tell.
+
+    Parameters
+    ----------
+    kind : str
+        ``depth`` of an object in a hole.
+    object, target : str
+    value : float
+    unit : str
+    good : bool
+        Whether that counts as success.
+    """
+
+    kind: Literal["depth"]
+    object: str
+    target: str
+    value: float
+    unit: str
+    good: bool
+
+    def __str__(self) -> str:
+        return f"{self.kind} of {self.object} at {self.target}: {self.value:.1f} {self.unit}"
+
+
+@dataclass(frozen=True, slots=True)
 class ArmReport:
     """What the arm tells while or after it moves.
 
@@ -166,6 +192,8 @@ class ArmReport:
         For ``perceived`` and ``unmet``; for ``halted`` `object` is what the hand holds.
     alignments : tuple of Alignment
         For ``finished``.
+    measures : tuple of Measure
+        For ``finished``: what tells success where alignment does not, or not alone.
     height_mm : float or None
         For ``halted``, where `object` is held: how far its base is above what is below it.
     """
@@ -178,3 +206,4 @@ class ArmReport:
     target: str = ""
     alignments: tuple[Alignment, ...] = ()
     height_mm: float | None = None
+    measures: tuple[Measure, ...] = ()

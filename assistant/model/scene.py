@@ -32,6 +32,8 @@ class Body:
     normal : 3 numbers
         The surface normal of a target, in its own frame.
     color : str
+    hole_mm : 3 numbers
+        Of a box with a hole from above, in its middle: x, y and depth; zeros for none.
     """
 
     name: str
@@ -43,6 +45,7 @@ class Body:
     grasp_rpy_deg: Triple = (0.0, 0.0, 0.0)
     normal: Triple = (0.0, 0.0, 1.0)
     color: str = ""
+    hole_mm: Triple = (0.0, 0.0, 0.0)
 
     @property
     def hand_in_body(self) -> Array:
