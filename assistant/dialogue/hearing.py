@@ -7,15 +7,17 @@ from dataclasses import replace
 from types import MappingProxyType
 
 from assistant.dialogue import keeping, practicing, showing
-from assistant.dialogue.asking import ask, question, stage, tell
+from assistant.dialogue.asides import aside
+from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
 from assistant.dialogue.finding import with_name
 from assistant.dialogue.general import general
+from assistant.dialogue.helping import help_line, misunderstood, patient
 from assistant.dialogue.naming import number_of, text_of
-from assistant.dialogue.replying import in_state, told_steps, unknowing
+from assistant.dialogue.replying import in_state, told_steps
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -24,6 +26,7 @@ from assistant.dialogue.state import (
     Watching,
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.language.hints import matter
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
@@ -42,14 +45,17 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)
+    beside = aside(dialogue, words, meant)
+    if beside is not None:
+        return one_question(beside)
     if unknowing(dialogue, words.text):
-        return one_question(act_on_all(dialogue, (acts.Deny(),), words))
+        return one_question(unknown_to(dialogue, words))
     steps = told_steps(dialogue, words.text, meant)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
     if event.understanding.confidence < SAFETY.act_confidence:
         return _doubted(dialogue, meant, words)
-    return one_question(act_on_all(dialogue, meant, words))
+    return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 
 
 def _in_order(meant: Iterable[acts.TeacherAct]) -> tuple[acts.TeacherAct, ...]:
@@ -104,31 +110,6 @@ def _doubted(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Word
 
 def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:
     return any(isinstance(act, acts.Approve | acts.Affirm) for act in meant)
-
-
-def misunderstood(dialogue: Dialogue) -> Turn:
-    """Tell that nothing was understood; the second time also what can be said now."""
-    if isinstance(dialogue.state, Watching):
-        return dialogue, ()
-    guessed = dialogue.pending is not None and dialogue.pending.line.topic == "did_you_mean"
-    pending = None if guessed else dialogue.pending
-    missed = replace(dialogue, misses=dialogue.misses + 1, pending=pending)
-    if dialogue.misses == 0:
-        return tell(missed, line("error", "not_understood"))
-    return tell(missed, line("error", "not_understood_again"), help_line(missed))
-
-
-def help_line(dialogue: Dialogue) -> RobotAct:
-    """Return what can be said now."""
-    asked = question(dialogue)
-    topic: str = dialogue.arm
-    if dialogue.arm in ("moving", "paused", "stopped", "checking"):
-        return line("help", topic)
-    if isinstance(dialogue.state, Watching):
-        topic = "watching"
-    else:
-        topic = asked.asked if asked is not None and asked.asked else stage(dialogue)
-    return line("help", topic)
 
 
 def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:

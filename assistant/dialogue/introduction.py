@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from assistant.dialogue.naming import thing_names
 from assistant.dialogue.sketch import Sketch, at, put, walk
 from assistant.dialogue.state import Introducing, Knowledge
 from assistant.dialogue.turn import about, line, plain_tree
@@ -92,6 +93,11 @@ def question(known: Knowledge, state: Introducing) -> RobotAct:
             return _ask_name(known, state.index)
         case "objects" if state.index:
             return line("ask", "objects_of", asked="objects", about=node, name=node.name)
+        case "objects":
+            things = thing_names(known.scene, known.setup)
+            return line(
+                "ask", "objects", asked="objects", about=node, name=node.name, things=things
+            )
         case "body" | "pose":
             return line("ask", state.asked, asked=state.asked, about=node, thing=state.thing)
         case "confirm_tree":

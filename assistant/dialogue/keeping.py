@@ -10,6 +10,7 @@ from assistant.dialogue.asking import ask, introduced, tell
 from assistant.dialogue.correcting import plain_feedback
 from assistant.dialogue.effects import Arrange, Halt, Keep, Leave, Load
 from assistant.dialogue.events import Kept, Loaded
+from assistant.dialogue.fresh import fresh
 from assistant.dialogue.sketch import from_tree, names
 from assistant.dialogue.state import Closed, Dialogue, Knowledge, Pending
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
@@ -26,7 +27,9 @@ def save(dialogue: Dialogue, name: str | None) -> Turn:
         return tell(dialogue, line("error", "nothing_to_save"))
     if wanted in dialogue.saved and wanted != dialogue.saved_as:
         question = line("confirm", "overwrite", asked="unsaved", name=wanted)
-        pending = Pending("unsaved", question, keep_name=wanted, leave=dialogue.leaving)
+        pending = Pending(
+            "unsaved", question, keep_name=wanted, leave=dialogue.leaving, after=dialogue.after
+        )
         return ask(replace(dialogue, pending=pending))
     return dialogue, (Keep(known.task, wanted, overwrite=wanted in dialogue.saved),)
 
@@ -35,13 +38,22 @@ def kept(dialogue: Dialogue, event: Kept) -> Turn:
     """Tell that the task is saved, or why it is not."""
     if event.why_not:
         told = line("error", "not_saved", name=event.name, reason=event.why_not)
-        return tell(replace(dialogue, leaving=False, pending=None), told)
+        return tell(replace(dialogue, leaving=False, after=("", ""), pending=None), told)
     saved = tuple(dict.fromkeys((*dialogue.saved, event.name)))
     after = replace(dialogue, saved=saved, saved_as=event.name, unsaved=False)
     told = line("done", "saved", about=About(after.known.name), name=event.name)
     if after.leaving:
         return first(say(after, told)[1], leave(after))
+    if after.after[0]:
+        return first(say(after, told)[1], _go_after(after))
     return tell(after, told)
+
+
+def _go_after(dialogue: Dialogue) -> Turn:
+    """Do what waited until unsaved work was seen to."""
+    what, name = dialogue.after
+    free = replace(dialogue, after=("", ""), pending=None)
+    return fresh(free) if what == "fresh" else (free, (Load(name),))
 
 
 def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Turn:
@@ -56,6 +68,12 @@ def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Tu
     if not found:
         told = line("error", "no_such_task", name=name or "", names=list(dialogue.saved))
         return tell(dialogue, told)
+    unsaved = dialogue.unsaved and dialogue.known.name and not comparing
+    if unsaved:
+        mine = dialogue.saved_as or dialogue.known.name
+        question = line("ask", "unsaved.other", asked="unsaved", name=mine)
+        pending = Pending("unsaved", question, after=("load", found[0]))
+        return ask(replace(dialogue, pending=pending))
     return replace(dialogue, comparing=comparing), (Load(found[0]),)
 
 
@@ -141,7 +159,7 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
     pending = dialogue.pending
     if pending is None:
         return None
-    free = replace(dialogue, pending=None, leaving=pending.leave)
+    free = replace(dialogue, pending=None, leaving=pending.leave, after=pending.after)
     match act:
         case acts.Affirm() | acts.Approve() if pending.keep_name:
             return free, (Keep(free.known.task, pending.keep_name, overwrite=True),)
@@ -153,8 +171,11 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
             return save(free, value)
         case acts.Deny() | acts.Quit() if pending.leave and not pending.keep_name:
             return leave(free)
+        case acts.Deny() if pending.after[0] and not pending.keep_name:
+            return _go_after(free)
         case acts.Deny():
-            return tell(replace(free, leaving=False), line("told", "not_saved"))
+            stays = replace(free, leaving=False, after=("", ""))
+            return tell(stays, line("told", "not_saved"))
         case _:
             return None
 

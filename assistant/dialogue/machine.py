@@ -30,6 +30,7 @@ from assistant.dialogue.events import (
 from assistant.dialogue.hearing import hear
 from assistant.dialogue.introduction import need
 from assistant.dialogue.keeping import kept, loaded, resumed, taken_up
+from assistant.dialogue.naming import thing_names
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
 from assistant.dialogue.turn import Turn, first, line, say
@@ -61,6 +62,8 @@ def _shorter(dialogue: Dialogue, effect: Effect) -> Effect:
     asked = effect.line
     in_full = asked.slots.get("again") is False
     if in_full or (asked.act, asked.topic, asked.about) not in before:
+        return effect
+    if asked.slots.get("tree") not in (None, *(line.slots.get("tree") for line in dialogue.said)):
         return effect
     return Say(replace(asked, slots=MappingProxyType({**asked.slots, "again": True})))
 
@@ -98,7 +101,9 @@ def _begun(dialogue: Dialogue, event: Begun) -> Turn:
     known = Knowledge(scene=event.scene, setup=event.setup)
     open_dialogue = replace(dialogue, known=known, saved=event.saved)
     if event.task is None:
-        greeting = line("greet", "first" if not event.saved else "again", names=list(event.saved))
+        things = thing_names(known.scene, known.setup)
+        topic = "first" if not event.saved else "again"
+        greeting = line("greet", topic, names=list(event.saved), things=things)
         asking = replace(open_dialogue, state=need(known) or Introducing("task_name"))
         return first(say(asking, greeting)[1], ask(asking))
     known = taken_up(known, event.task)

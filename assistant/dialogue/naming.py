@@ -8,7 +8,13 @@ from collections.abc import Sequence
 from assistant.language.actions import role_of
 from assistant.language.hints import hints, phrase_pattern
 from assistant.model.scene import Scene
+from assistant.model.setup import Setup
 from assistant.model.task import Role, TaskObject
+
+LONGEST_NAME = 8
+"""Words of a task's name; more is asked about."""
+SHORTEST_NAME = 3
+"""Letters of a task's name; fewer are asked about."""
 
 Value = str | int | tuple[str, ...]
 
@@ -118,12 +124,42 @@ def tidy_name(name: str) -> str:
     return re.sub(r"\s+", " ", name).strip(" \t\"'.,;:!?")
 
 
+def is_odd(name: str) -> bool:
+    """Whether a name is more likely something else: a question, a word of talk, a sentence."""
+    words = re.findall(r"[^\W\d_]+", name.lower())
+    odd: list[str] = hints("no_task_name")
+    if not words or "?" in name or len("".join(words)) < SHORTEST_NAME:
+        return True
+    return len(words) > LONGEST_NAME or words[0] in odd
+
+
 def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
-    """Return the objects an answer names, by the scene's names where it knows them."""
+    """Return the objects an answer names, by the scene's names where it knows them.
+
+    "the cup should be on the tray" names a cup and a tray.
+    """
     phrases = value if isinstance(value, tuple) else _things(str(value))
-    names = [known_name(_bare(phrase), scene) for phrase in phrases]
+    parted = [part for phrase in phrases for part in _parted(phrase, scene)]
+    names = [known_name(_bare(phrase), scene) for phrase in parted]
     unique = dict.fromkeys(name for name in names if name)
     return tuple(TaskObject(name, role(name, scene)) for name in unique)
+
+
+def thing_names(scene: Scene, setup: Setup) -> list[str]:
+    """Return the names of the things that stand on the table."""
+    return [name for name in scene.bodies if name in setup.places]
+
+
+def _parted(phrase: str, scene: Scene) -> list[str]:
+    """Return the things in a phrase that is more than a name: what stands between its verbs."""
+    if known_name(_bare(phrase), scene) in scene.bodies:
+        return [phrase]
+    joints = sorted(hints("thing_joints"), key=len, reverse=True)
+    pattern = r"\b(?:" + "|".join(map(re.escape, joints)) + r")\b"
+    parts = re.split(pattern, phrase, flags=re.IGNORECASE)
+    no_things: list[str] = hints("no_things")
+    bare = [part for part in parts if _bare(part) and _bare(part).lower() not in no_things]
+    return bare if len(parts) > 1 else [phrase]
 
 
 def known_name(phrase: str, scene: Scene) -> str:

@@ -9,13 +9,15 @@ from assistant.dialogue import agreeing, practicing, reviewing, showing
 from assistant.dialogue.answers import ASSUMED_MM, answer, with_body
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.finding import find, name_at
-from assistant.dialogue.naming import Value, as_said, listed_steps
+from assistant.dialogue.introduction import with_action
+from assistant.dialogue.naming import Value, as_said, is_odd, listed_steps, name_and_steps, text_of
 from assistant.dialogue.placing import set_pose
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import (
     AwaitingShow,
     Dialogue,
     Introducing,
+    Pending,
     Ran,
     Ready,
     Reviewing,
@@ -23,8 +25,8 @@ from assistant.dialogue.state import (
     Thinking,
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
-from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
+from assistant.model.task import Action
 
 _WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.Rename)
 """Acts whose words answer a question for a name or an action: "move up" is a name there."""
@@ -42,11 +44,6 @@ def answers_by_words(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
         unnamed = find(dialogue.known, act.old) is None
         return unnamed and state.asked in ("task_name", "subtask_name")
     return state.asked in ("subtask_name", "actions")
-
-
-def unknowing(dialogue: Dialogue, text: str) -> bool:
-    """Whether the teacher says not to know what the introduction asks."""
-    return isinstance(dialogue.state, Introducing) and mentions(text, hints("unknowing"))
 
 
 def told_steps(
@@ -91,6 +88,10 @@ def _introducing(
     if place is not None:
         return set_pose(dialogue, place, words.text, sure=words.sure or not words.by_voice)
     value = _value(state, act, words)
+    if value is not None and state.asked == "task_name" and not words.sure:
+        name = name_and_steps(text_of(value))[0]
+        if is_odd(name):
+            return _odd_name(dialogue, act, name, words)
     if value is not None:
         return _answered(dialogue, state, value)
     match act:
@@ -106,6 +107,13 @@ def _introducing(
             return tell(dialogue, line("error", "not_introduced"))
         case _:
             return tell(dialogue, line("error", "not_an_answer"))
+
+
+def _odd_name(dialogue: Dialogue, act: acts.TeacherAct, name: str, words: Words) -> Turn:
+    """Ask whether the task is really to be called that."""
+    question = line("confirm", "odd_name", asked="task_name", name=name)
+    pending = Pending("task_name", question, (act,), words.text)
+    return ask(replace(dialogue, pending=pending))
 
 
 def _place(state: Introducing, act: acts.TeacherAct, words: Words) -> acts.SetPose | None:
@@ -156,6 +164,10 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
             return proceed(changed(dialogue, "goal", replace(known, goal="")))
         case "objects" if not state.index:
             return proceed(changed(dialogue, "objects", replace(known, objects=())))
+        case "objects":
+            # It concerns nothing the robot could be told: it is done as it is shown.
+            shown = Action("free", name_at(known, state.index))
+            return proceed(changed(dialogue, "actions", with_action(known, state.index, shown)))
         case "subtask_count" if not state.named:
             return _answered(dialogue, state, 0)
         case "actions":

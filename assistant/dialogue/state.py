@@ -12,7 +12,7 @@ from typing import Literal
 from assistant.dialogue.sketch import Sketch, to_tree
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Lesson, Question
-from assistant.model.motion import Alignment, Refusal
+from assistant.model.motion import Alignment, Measure, Refusal
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -22,6 +22,8 @@ from assistant.model.teacher_acts import Asked, TeacherAct
 Pace = Literal["slow", "normal"]
 Arm = Literal["rest", "checking", "moving", "paused", "stopped"]
 Facing = Literal["own", "facing"]
+After = tuple[Literal["", "fresh", "load"], str]
+"""What follows once unsaved work is seen to: another task, or a kept one by its name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -167,6 +169,8 @@ class Pending:
         For overwriting: the name to save under.
     leave : bool
         For ``unsaved``: leave after the answer.
+    after : tuple
+        For ``unsaved``: what else follows the answer.
     """
 
     asked: Asked
@@ -175,6 +179,7 @@ class Pending:
     words: str = ""
     keep_name: str = ""
     leave: bool = False
+    after: After = ("", "")
 
 
 @dataclass(frozen=True, slots=True)
@@ -220,6 +225,7 @@ class RunResult:
     complete: bool
     missing: tuple[str, ...] = ()
     alignments: tuple[Alignment, ...] = ()
+    measures: tuple[Measure, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -274,6 +280,7 @@ class Dialogue:
     unsaved: bool = False
     agreed: bool = False
     leaving: bool = False
+    after: After = ("", "")
     comparing: bool = False
     learn_why: str = ""
 

@@ -33,8 +33,9 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     if template is None:
         return wording.fill(str(slots.get("reason", "")) or line.topic.replace("_", " "))
     if isinstance(template, Mapping):
-        short = brief or bool(slots.get("again"))
-        template = template["brief"] if short and "brief" in template else template["full"]
+        again = bool(slots.get("again"))
+        length = "brief" if (brief or again) and "brief" in template else "full"
+        template = template["again" if again and "again" in template else length]
     return _tidy(wording.fill(template))
 
 
@@ -49,5 +50,5 @@ def _template(topics: Mapping[str, Any], topic: str) -> Any:
 
 def _tidy(text: str) -> str:
     """Return a sentence that begins with a capital and has no stray blanks."""
-    text = re.sub(r" +([.,;:?!])", r"\1", re.sub(r"(?<=\S) {2,}", " ", text)).strip()
+    text = re.sub(r" +([,;:?!]|\.(?!\.))", r"\1", re.sub(r"(?<=\S) {2,}", " ", text)).strip()
     return text[:1].upper() + text[1:]

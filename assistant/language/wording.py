@@ -74,6 +74,10 @@ def _names(wording: Wording, value: Any) -> str:
     return wording.joined([f'"{one}"' for one in value or ()])
 
 
+def _things(wording: Wording, value: Any) -> str:
+    return wording.joined([wording.words("thing", {"name": one}) for one in value or ()])
+
+
 def _answer(wording: Wording, value: Any) -> str:
     return _list(wording, value) if isinstance(value, list | tuple) else str(value)
 
@@ -257,6 +261,7 @@ def _from(part: str, key: str | None = None) -> Callable[[Wording, Any], str]:
 _KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "list": _list,
     "names": _names,
+    "things": _things,
     "answer": _answer,
     "numbers": _numbers,
     "some": _some,

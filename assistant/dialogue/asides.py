@@ -1,0 +1,160 @@
+"""What newcomers say beside the question: who they are, where they stand, a name given late."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask, proceed, tell
+from assistant.dialogue.fresh import fresh_wanted
+from assistant.dialogue.helping import help_line
+from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.naming import listed_steps, things_in, tidy_name
+from assistant.dialogue.replying import in_state
+from assistant.dialogue.sketch import Sketch, with_parts
+from assistant.dialogue.state import (
+    Closed,
+    Dialogue,
+    Introducing,
+    Knowledge,
+    Opening,
+    Thinking,
+    Watching,
+)
+from assistant.dialogue.structure import rename
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.language.asides import (
+    after,
+    introduced_person,
+    is_greeting,
+    is_puzzled,
+    is_thanks,
+)
+from assistant.language.hints import hints, matter, mentions
+from assistant.model import teacher_acts as acts
+
+
+def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) -> Turn | None:
+    """Answer what was said beside the question, or None where it was to the point."""
+    if dialogue.busy or isinstance(dialogue.state, Opening | Closed | Watching | Thinking):
+        return None
+    calm = replace(dialogue, misses=0)
+    for reply in (_person, _courtesy, _late, _standing, _puzzled, _fresh):
+        turn = reply(calm, words, tuple(meant))
+        if turn is not None:
+            return turn
+    return None
+
+
+def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Greet a teacher who tells a name; it is not the task's."""
+    name, rest = introduced_person(words.text)
+    if not name:
+        return None
+    told = line("told", "nice_to_meet", name=name)
+    opened = after(rest, "naming") or after(rest, "teaching")
+    if opened and _asks(dialogue, "task_name"):
+        said = say(dialogue, told)[1]
+        return first(said, in_state(dialogue, acts.Inform(opened), replace(words, text=opened)))
+    return tell(dialogue, told)
+
+
+def _courtesy(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    if is_greeting(words.text):
+        return tell(dialogue, line("told", "hello"))
+    unknown = all(isinstance(act, acts.Unknown | acts.Inform) for act in meant)
+    if unknown and is_thanks(words.text):
+        return tell(dialogue, line("told", "welcome"))
+    return None
+
+
+def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Take a name, a goal or a thing that is told while something else is asked."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or dialogue.pending is not None:
+        return None
+    known = dialogue.known
+    part = "naming_task" if state.asked in ("subtask_name", "actions", "which") else "naming"
+    name = after(words.text, part)
+    if name and state.asked == "task_name":
+        return in_state(dialogue, acts.Inform(name), replace(words, text=name))
+    if name and known.name:
+        return rename(dialogue, known.name, tidy_name(name))
+    return (
+        _late_goal(dialogue, state, words)
+        or _late_thing(dialogue, state, words)
+        or _early_steps(dialogue, state, words)
+    )
+
+
+def _late_goal(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
+    goal = after(words.text, "goal_told")
+    if not goal or state.asked in ("goal", "task_name"):
+        return None
+    known = replace(dialogue.known, goal=goal)
+    told = line("done", "goal", goal=goal)
+    return first(say(dialogue, told)[1], proceed(changed(dialogue, "goal", known)))
+
+
+def _late_thing(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
+    known = dialogue.known
+    text = after(words.text, "things_told")
+    if not text or known.objects is None or state.asked in ("goal", "task_name"):
+        return None
+    had = {one.name for one in known.objects}
+    new = tuple(one for one in things_in(text, known.scene) if one.name not in had)
+    if not new:
+        return None
+    more: Knowledge = replace(known, objects=(*known.objects, *new))
+    told = line("done", "things", names=[one.name for one in new])
+    return first(say(dialogue, told)[1], proceed(changed(dialogue, "objects", more)))
+
+
+def _early_steps(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
+    """Take the steps where they are told before they are asked for."""
+    known = dialogue.known
+    if state.asked not in ("objects", "body", "pose") or state.index or known.root.parts:
+        return None
+    steps = listed_steps(words.text)
+    if not steps or len(set(steps)) < len(steps):
+        return None
+    root = with_parts(known.root, tuple(Sketch(step) for step in steps))
+    more = replace(known, root=root)
+    if known.objects is None:
+        more = replace(more, objects=things_in(words.text, known.scene))
+    told = line("done", "steps", names=list(steps))
+    noted = changed(dialogue, "steps", all_understood(more))
+    return first(say(dialogue, told)[1], proceed(noted))
+
+
+def _standing(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Take where the teacher stands, told before it is asked."""
+    if dialogue.pending is not None or not mentions(words.text, hints("stands")):
+        return None
+    told = matter(words.text, "facing")
+    if not told:
+        return None
+    known = replace(dialogue.known, facing="facing" if told == "facing" else "own")
+    standing = changed(dialogue, "facing", known, clean=dialogue.clean)
+    return tell(standing, line("told", f"facing_{known.facing}"))
+
+
+def _puzzled(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    if not isinstance(dialogue.state, Introducing) or not is_puzzled(words.text):
+        return None
+    return tell(dialogue, help_line(dialogue))
+
+
+def _fresh(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Begin another task; at the very beginning that is what goes on anyway."""
+    wanted = mentions(words.text, hints("new_task"))
+    if not wanted or not mentions(words.text, hints("new_task_verbs")):
+        return None
+    if _asks(dialogue, "task_name"):
+        return ask(dialogue)
+    return fresh_wanted(dialogue)
+
+
+def _asks(dialogue: Dialogue, asked: str) -> bool:
+    state = dialogue.state
+    return isinstance(state, Introducing) and state.asked == asked and dialogue.pending is None

@@ -1,0 +1,38 @@
+"""A new task is begun; unsaved work is asked about first."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask
+from assistant.dialogue.state import Dialogue, Introducing, Knowledge, Pending
+from assistant.dialogue.turn import Turn, changed, first, line, say
+
+
+def fresh_wanted(dialogue: Dialogue) -> Turn:
+    """Begin another task, after asking what becomes of this one if it is not saved."""
+    if not (dialogue.unsaved and dialogue.known.name):
+        return fresh(dialogue)
+    name = dialogue.saved_as or dialogue.known.name
+    question = line("ask", "unsaved.other", asked="unsaved", name=name)
+    return ask(replace(dialogue, pending=Pending("unsaved", question, after=("fresh", ""))))
+
+
+def fresh(dialogue: Dialogue) -> Turn:
+    """Begin another task with the same things on the table; undo brings the old one back."""
+    known = dialogue.known
+    empty = Knowledge(scene=known.scene, setup=known.setup, facing=known.facing)
+    begun = replace(
+        changed(dialogue, "fresh", empty),
+        state=Introducing("task_name"),
+        arm="rest",
+        pace="slow",
+        run=None,
+        runs=(),
+        refusal=None,
+        pending=None,
+        saved_as="",
+        unsaved=False,
+        agreed=False,
+    )
+    return first(say(begun, line("told", "fresh"))[1], ask(begun))

@@ -1,0 +1,157 @@
+"""What newcomers say beside the question, and what the robot makes of it."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from assistant.dialogue import effects as fx
+from assistant.language.asides import introduced_person, is_greeting, unknowing
+from assistant.model import teacher_acts as acts
+from tests.dialogue.teaching import Lessons
+
+
+def newcomer(*said: str) -> Lessons:
+    """Return a lesson in which nothing said is understood as more than an answer."""
+    teacher = Lessons().open()
+    for text in said:
+        teacher.tell(text)
+    return teacher
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("hi, my name is Anna", "Anna"),
+        ("My name's Jean Paul.", "Jean Paul"),
+        ("hello robot, I'm bob", "Bob"),
+        ("i am Anna and I want to teach you something", "Anna"),
+        ("call me Kim", "Kim"),
+        ("I'm ready", ""),
+        ("i am going to show you", ""),
+        ("I'm not sure", ""),
+        ("this is a block", ""),
+        ("my block is red", ""),
+    ],
+)
+def test_a_person_tells_a_name(text: str, name: str) -> None:
+    assert introduced_person(text)[0] == name
+
+
+@given(st.text(max_size=60))
+@settings(max_examples=60)
+def test_anything_may_be_said(text: str) -> None:
+    introduced_person(text)
+    is_greeting(text)
+    unknowing(text)
+
+
+def test_a_teachers_name_is_not_the_tasks() -> None:
+    teacher = newcomer("hi, my name is Anna")
+    assert teacher.topics == ["told.nice_to_meet", "ask.task_name"]
+    assert teacher.dialogue.known.name == ""
+
+
+def test_who_introduces_both_is_greeted_and_goes_on() -> None:
+    teacher = newcomer("I'm Anna and I want to teach you sorting the cups")
+    assert teacher.topics == ["told.nice_to_meet", "ask.goal"]
+    assert teacher.dialogue.known.name == "sorting the cups"
+
+
+def test_a_greeting_is_answered_and_the_question_stays() -> None:
+    teacher = newcomer("good evening, robot!")
+    assert teacher.topics == ["told.hello", "ask.task_name"]
+
+
+def test_a_name_told_late_renames_the_task() -> None:
+    teacher = newcomer("anna", "it's called sorting the cups")
+    assert teacher.dialogue.known.name == "sorting the cups"
+    assert teacher.topics == ["done.renamed", "ask.goal"]
+    assert teacher.dialogue.known.goal is None
+    assert teacher.hear(acts.Undo()).dialogue.known.name == "anna"
+
+
+def test_a_goal_and_a_thing_told_late_are_kept() -> None:
+    teacher = newcomer("sorting", "tidy", "the goal is that the block is on the target")
+    assert teacher.dialogue.known.goal == "the block is on the target"
+    assert teacher.asked == "objects"
+    teacher.tell("block").tell("you also need the target")
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["block", "target"]
+
+
+def test_a_sentence_names_its_things() -> None:
+    teacher = newcomer("sorting", "tidy", "the cup should be on the tray")
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["cup", "tray"]
+
+
+def test_steps_told_early_are_not_asked_for_again() -> None:
+    teacher = newcomer("sorting", "tidy", "cup", "you grasp the cup and lift it")
+    assert teacher.topics[0] == "done.steps"
+    parts = teacher.dialogue.known.root.parts
+    assert [part.name for part in parts] == ["grasp the cup", "lift it"]
+
+
+@pytest.mark.parametrize("name", ["what?", "no", "12", "a", "i wonder whether that works out well"])
+def test_an_odd_name_is_asked_about(name: str) -> None:
+    teacher = newcomer(name)
+    assert teacher.topics == ["confirm.odd_name"]
+    assert Lessons(teacher.dialogue).hear(acts.Deny()).topics[-1] == "ask.task_name"
+    assert teacher.hear(acts.Affirm()).dialogue.known.name
+    assert teacher.asked == "goal"
+
+
+def test_the_second_miss_brings_examples() -> None:
+    teacher = newcomer("sorting", "tidy", "cup")
+    assert teacher.asked == "body"
+    assert teacher.tell("nice").topics == ["error.size", "ask.body"]
+    assert teacher.tell("very nice").topics == ["error.size", "help.body", "ask.body"]
+
+
+def test_who_knows_nothing_is_led_to_a_plan() -> None:
+    teacher = Lessons().open()
+    for _ in range(3):
+        teacher.hear(acts.Unknown(), text="I don't know")
+    assert teacher.dialogue.known.name == "new task"
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["block", "target"]
+    teacher.hear(acts.Unknown(), text="no idea")
+    assert teacher.topics == ["confirm.suggested_steps"]
+    teacher.hear(acts.Affirm())
+    assert teacher.asked == "confirm_tree"
+    assert len(teacher.dialogue.known.root.parts) == 6
+
+
+def test_not_sure_but_answering_is_an_answer() -> None:
+    assert not unknowing("not sure, maybe three")
+    assert unknowing("I have no idea")
+
+
+def test_where_the_teacher_stands_may_be_told_first() -> None:
+    teacher = Lessons().ready().hear(acts.Unknown(), text="I am standing opposite you")
+    assert teacher.dialogue.known.facing == "facing"
+    assert teacher.hear(acts.Translate("left")).topics[0] == "done.translate"
+
+
+def test_nothing_beside_the_question_is_answered_in_motion() -> None:
+    teacher = Lessons().ready().moving().hear(acts.Unknown(), text="hello")
+    assert "told.hello" not in teacher.topics
+
+
+def test_another_task_asks_about_unsaved_work() -> None:
+    teacher = Lessons().ready()
+    teacher.hear(acts.Unknown(), text="I want to teach you another task")
+    assert teacher.topics == ["ask.unsaved.other"]
+    kept = Lessons(teacher.dialogue).hear(acts.Affirm())
+    assert kept.did(fx.Keep)
+    teacher.hear(acts.Deny())
+    assert teacher.topics == ["told.fresh", "ask.task_name"]
+    assert teacher.dialogue.known.lesson is None
+    assert teacher.hear(acts.Undo()).dialogue.known.lesson is not None
+
+
+def test_loading_over_unsaved_work_asks() -> None:
+    teacher = Lessons().open(saved=("stacking",)).tell("sorting").tell("tidy")
+    teacher.hear(acts.Load("stacking"))
+    assert teacher.topics == ["ask.unsaved.other"]
+    assert not teacher.did(fx.Load)
+    assert teacher.hear(acts.Deny()).did(fx.Load)
