@@ -117,6 +117,9 @@ class LearnedForm(Form):
     demonstrations: tuple[Text, ...] = ()
     approach_axis: Axis = "x"
     speed: Positive = Field(1.0, description="factor of the demonstration's speed")
+    jerk_m_s3: Positive | None = Field(
+        None, description="root mean square of the smoothed demonstration's jerk"
+    )
     cue_lag_s: Number | None = None
     points: tuple[PointForm, ...] = ()
     episodes: tuple[EpisodeForm, ...] = ()

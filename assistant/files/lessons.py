@@ -49,6 +49,7 @@ def lesson_of(form: LearnedForm, document: Document, leaves: int) -> Lesson:
         feedback=tuple(Feedback(**each.model_dump()) for each in form.feedback),
         speed=form.speed,
         approach_axis=form.approach_axis,
+        jerk_m_s3=form.jerk_m_s3,
     )
     problems = _stations_outside(lesson, document, [*place, "docking"])
     if problems:
@@ -163,6 +164,7 @@ def learned_values(lesson: Lesson) -> dict[str, Any]:
         "demonstrations": list(lesson.sources),
         "approach_axis": lesson.approach_axis,
         "speed": tidy(lesson.speed),
+        "jerk_m_s3": lesson.jerk_m_s3 or None,
         "cue_lag_s": cuts.cue_lag_s,
         "points": [_point_values(each) for each in cuts.points],
         "episodes": [_episode_values(each) for each in cuts.episodes],

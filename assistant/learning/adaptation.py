@@ -24,15 +24,15 @@ from assistant.geometry import (
 from assistant.learning.amendments import Bend, bends, commanded, speed_factors, station_moves
 from assistant.learning.blending import azimuth_turned, eq6_way, two_frame_way
 from assistant.learning.holding import held_stretches
-from assistant.learning.rigid import Floats, Rows, composed, inverted
-from assistant.learning.timing import bounded_times, hand_speeds
+from assistant.learning.rigid import Floats, Rows, composed, inverted, placed
+from assistant.learning.timing import bounded_times, hand_speeds, resting_steps
 from assistant.learning.ways import Ways, prepare, smooth_way
 from assistant.learning.weights import FrameWeights, frame_weights
 from assistant.model.lesson import Station
 from assistant.model.motion import HandPath, HandStop, Indices
 from assistant.model.scene import Scene
 from assistant.model.settings import BlendingSettings, GeneralizationSettings
-from assistant.model.setup import Setup
+from assistant.model.setup import Place, Setup
 from assistant.model.task import Task
 
 
@@ -67,6 +67,10 @@ class AdaptationPlan:
         Whether the hand came back to where it started.
     peak_m_s : float
         Greatest speed of the demonstration, with the corrections of speed.
+    brake : int
+        Number of samples over which slowing down is spread.
+    stops : tuple of HandStop
+        The stations as samples of the path.
     """
 
     task: str
@@ -85,6 +89,8 @@ class AdaptationPlan:
     bends: tuple[Bend, ...]
     ends_with_start: bool
     peak_m_s: float
+    brake: int
+    stops: tuple[HandStop, ...]
 
 
 def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> AdaptationPlan:
@@ -111,11 +117,12 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     frames = np.array([one.frame_to_world for one in stations]).reshape(-1, 7)
     factors = _between(speed_factors(task, lesson, learned))
     dwell_s = GeneralizationSettings().dwell_s
+    steps_s = np.diff(learned.t_s) / factors
     return AdaptationPlan(
         task=task.name,
         settings=settings,
-        steps_s=np.diff(learned.t_s) / factors,
-        resting=_resting(learned.t_s, stations, dwell_s),
+        steps_s=steps_s,
+        resting=resting_steps(learned.t_s, [one.at for one in stations], dwell_s),
         gripper_m=commanded(task, lesson, learned),
         primitive_at=learned.primitive_at,
         stations=stations,
@@ -133,6 +140,13 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
         bends=bends(task, lesson, learned, held),
         ends_with_start=ends_with_start,
         peak_m_s=float(np.max(hand_speeds(learned.t_s, path) * factors)),
+        brake=round(settings.brake_s / float(np.median(steps_s))),
+        stops=tuple(
+            HandStop(
+                one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at, tuple(shift)
+            )
+            for one, shift in zip(stations, shifts.tolist(), strict=True)
+        ),
     )
 
 
@@ -164,8 +178,9 @@ def adapt(
     if not speed > 0.0:
         raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
     frames = frames_in(plan, scene, setup)
-    begin = setup.robot_start.pose if start is None else np.asarray(start, dtype=float)
-    path = adapted_path(plan, frames, begin)
+    told = setup.robot_start
+    begin = placed(told.xyz_mm, told.rpy_deg) if start is None else start
+    path = adapted_path(plan, frames, np.asarray(begin, dtype=float))
     steps_s = np.where(plan.resting, plan.steps_s / min(speed, 1.0), plan.steps_s / speed)
     t_s = bounded_times(
         steps_s,
@@ -175,8 +190,8 @@ def adapt(
         round(plan.settings.brake_s / float(np.median(plan.steps_s))),
     )
     stops = tuple(
-        HandStop(one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at)
-        for one in plan.stations
+        HandStop(one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at, tuple(shift))
+        for one, shift in zip(plan.stations, plan.station_moves.tolist(), strict=True)
     )
     return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, stops)
 
@@ -220,11 +235,7 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
     """
     _check_places(plan.stations, setup)
     used = {station.frame for station in plan.stations}
-    now = {
-        name: scene.hand_pose(name, place).tolist()
-        for name, place in setup.places.items()
-        if name in used
-    }
+    now = {name: _hand(scene, name, place) for name, place in setup.places.items() if name in used}
     in_hand: dict[str, list[float]] = {}
     out = []
     for station, hand_in_frame in zip(plan.stations, plan.hands, strict=True):
@@ -237,6 +248,15 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
             hand = composed(frame, hand_in_frame)
             now[station.object] = composed(hand, in_hand.pop(station.object))
     return np.array(out).reshape(-1, 7)
+
+
+def _hand(scene: Scene, name: str, place: Place) -> list[float]:
+    """Return the same as `Scene.hand_pose`, in plain floats."""
+    told = placed(place.xyz_mm, place.rpy_deg)
+    body = scene.bodies.get(name)
+    if place.kind == "hand" or body is None:
+        return told
+    return composed(told, placed(body.grasp_xyz_mm, body.grasp_rpy_deg))
 
 
 def _moves(plan: AdaptationPlan, frames: Rows, start: Floats) -> Rows:
@@ -274,11 +294,3 @@ def _check_places(stations: Sequence[Station], setup: Setup) -> None:
 
 def _between(values: Array) -> Array:
     return np.asarray((values[1:] + values[:-1]) / 2.0)
-
-
-def _resting(t_s: Array, stations: Sequence[Station], dwell_s: float) -> Array:
-    middles = (t_s[1:] + t_s[:-1]) / 2.0
-    resting = np.zeros(len(middles), dtype=bool)
-    for station in stations:
-        resting |= np.abs(middles - t_s[station.at]) <= dwell_s / 2.0
-    return resting

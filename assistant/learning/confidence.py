@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.learning.reading import Understood
+from assistant.learning.reading import Understood, local_scores
+from assistant.model.settings import SegmentationSettings
 
 FEATURES = ("odds", "gripper", "rest", "heard", "blur", "spoken", "unseen", "odds unseen")
 """What a cut's confidence is made of.
@@ -68,6 +69,19 @@ def chance_near(understood: Understood, at_s: float) -> float:
     near = np.abs(understood.at_s - at_s) < _NEAR_S
     near[0] = near[-1] = False
     return float(min(np.sum(understood.reading.cut_chances[near]), 1.0))
+
+
+def surely_moved(understood: Understood, at_s: float, settings: SegmentationSettings) -> float:
+    """Return how surely something ends and begins at an instant, be it within a primitive.
+
+    The decoder's chance of a cut between primitives there, or what the motion alone says if
+    that is more.
+    """
+    usual_s = float(np.ptp(understood.at_s)) / max(len(understood.order), 1)
+    near = [spot for spot in understood.candidates if abs(spot.at_s - at_s) < _NEAR_S]
+    odds = local_scores(near, usual_s, settings.decoding)
+    alone = _sigmoid(float(np.max(odds))) if near else 0.0
+    return max(alone, chance_near(understood, at_s))
 
 
 def step_confidence(understood: Understood, first: int, last: int, position: int | None) -> float:

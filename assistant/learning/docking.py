@@ -13,7 +13,7 @@ from assistant.geometry import (
     relative,
     rotate_vector,
 )
-from assistant.learning.ways import quintic
+from assistant.learning.weights import quintic
 from assistant.model.settings import GeneralizationSettings
 
 _LEAST_SETTLING = 25

@@ -11,6 +11,7 @@ import numpy as np
 from assistant.geometry import Array, interpolate, quat_continuous, quat_normalize
 from assistant.learning.rests import Halt, demonstrated_times, new_instant
 from assistant.learning.smoothing import Smoothed
+from assistant.learning.timing import rms_jerk
 from assistant.learning.weights import six_order
 from assistant.model.lesson import Episode
 from assistant.model.settings import GeneralizationSettings
@@ -70,6 +71,12 @@ def sampled(
     acts = tuple(int(np.clip(round(at / step_s), 0, len(t_s) - 1)) for at in instants)
     gripper_m = _gripper(smoothed, acts_s, acts, len(t_s), round(given.dwell_s / step_s))
     return Sampled(t_s, shown_s, _signed(path), gripper_m, acts)
+
+
+def shown_jerk(smoothed: Smoothed, step_s: float) -> float:
+    """Return the root-mean-square jerk of the smoothed demonstration itself, in m/s^3."""
+    even_s = np.arange(smoothed.t_s[0], smoothed.t_s[-1], step_s)
+    return rms_jerk(_at(smoothed, even_s)[:, :3], step_s) if len(even_s) > 3 else 0.0
 
 
 def primitive_at(shown_s: Array, episodes: Sequence[Episode], leaves: Sequence[str]) -> Indices:

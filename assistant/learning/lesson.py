@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from pathlib import PurePath
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from assistant.errors import BadInput
 from assistant.geometry import Array, compose, inverse, relative, rotate_vector
 from assistant.learning.conditions import Inferred, inferred
 from assistant.learning.docking import docking_sample, grasp_ways, release_ways, straightened
-from assistant.learning.generalization import Sampled, primitive_at, sampled
+from assistant.learning.generalization import Sampled, primitive_at, sampled, shown_jerk
 from assistant.learning.segmentation import segment
 from assistant.learning.signals import gripper_events
 from assistant.learning.smoothing import smooth
@@ -104,7 +105,7 @@ def _learn_one(
     lesson = Lesson(
         segmentation=found,
         path=None,
-        sources=(demonstration.source,),
+        sources=(PurePath(demonstration.source).name,),
         approach_axis=demonstration.approach_axis,
     )
     if demonstration.recording.gripper_m is None:
@@ -114,6 +115,8 @@ def _learn_one(
     events = gripper_events(demonstration.recording, SignalSettings())
     seen = visits(task, events, found.episodes) or touches(task, found.episodes)
     even = sampled(smoothed, [visit.at_s for visit in seen], context.given)
+    step_s = float(even.t_s[1] - even.t_s[0])
+    lesson = replace(lesson, jerk_m_s3=shown_jerk(smoothed, step_s))
     return _generalized(context, lesson, even, seen)
 
 

@@ -20,7 +20,8 @@ def measured(
     """Return the measures of `adapt` (contract) of a path made for a setup.
 
     Errors: the greatest over all grasps (releases), against the demonstration with the
-    teacher's corrections. Jerk: at the demonstration's own timing.
+    teacher's corrections. Jerk: at the demonstration's own timing, against the smoothed
+    demonstration's; a lesson that does not tell it is measured against its learned path.
     """
     if task.learned is None or task.learned.path is None:
         raise WorkFailed(f"{task.name!r} has not been learned yet; demonstrate it first")
@@ -40,11 +41,12 @@ def measured(
         errors[f"{kind}_error_m"] = max(errors[f"{kind}_error_m"], away)
         errors[f"{kind}_error_rad"] = max(errors[f"{kind}_error_rad"], turn)
     step_s = float(shown.t_s[1] - shown.t_s[0])
+    jerk = task.learned.jerk_m_s3 or rms_jerk(shown.path[:, :3], step_s)
     even = adapted_path(plan, frames, path.path[0])
     speeds = hand_speeds(path.t_s, path.path), hand_speeds(shown.t_s, shown.path)
     return {
         **errors,
-        "jerk_ratio": rms_jerk(even[:, :3], step_s) / rms_jerk(shown.path[:, :3], step_s),
+        "jerk_ratio": rms_jerk(even[:, :3], step_s) / jerk,
         "peak_speed_ratio": float(np.max(speeds[0]) / np.max(speeds[1])),
         "duration_ratio": float(path.t_s[-1] / (shown.t_s[-1] - shown.t_s[0])),
     }

@@ -9,13 +9,16 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.learning.candidates import Evidence
 from assistant.learning.character import character
-from assistant.learning.confidence import chance_near, cut_confidence, step_confidence
+from assistant.learning.confidence import cut_confidence, step_confidence, surely_moved
 from assistant.learning.reading import Understood
 from assistant.learning.validity import validity
 from assistant.learning.votes import overall, peaks, sharpness, vote
 from assistant.model.lesson import Episode, SegmentationPoint
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Primitive
+
+_SAME_S = 0.12
+"""A point so near to a rest belongs to it."""
 
 
 def signal_votes(
@@ -54,7 +57,6 @@ def points(
     reading, at_s = understood.reading, understood.at_s
     seen = evidence.smoothed.gripper_m is not None
     nodes = list(reading.nodes[1:-1])
-    kept = at_s[nodes]
     found = [
         SegmentationPoint(
             float(at_s[node]),
@@ -63,24 +65,49 @@ def points(
         )
         for node in nodes
     ]
+    return tuple(sorted([*found, *_others(understood, evidence, votes, settings)], key=_when))
+
+
+def _others(
+    understood: Understood,
+    evidence: Evidence,
+    votes: dict[str, Array],
+    settings: SegmentationSettings,
+) -> list[SegmentationPoint]:
+    """Return what is no cut between primitives: points within one, and eliminated ones.
+
+    A peak of the vote that leaves valid episodes on both sides is a point within a primitive;
+    other peaks and candidates were eliminated (paper III-A).
+    """
+    t_s, at_s = evidence.smoothed.t_s, understood.at_s
+    edges = at_s[list(understood.reading.nodes)]
     total = overall(votes, settings.votes.weights)
-    edges = np.array([at_s[0], *kept, at_s[-1]])
-    for at in peaks(t_s, total, float(np.mean(total))):
-        if np.min(np.abs(edges - at)) < settings.validity.least_s or _one_rest(evidence, at, edges):
+    voted = [_settled(evidence, at) for at in peaks(t_s, total, float(np.mean(total)))]
+    found: list[SegmentationPoint] = []
+    for at in (*voted, *(spot.at_s for spot in understood.candidates if not spot.part)):
+        told = np.array([*edges, *(point.at_s for point in found)])
+        if np.min(np.abs(told - at)) < settings.validity.least_s or _one_rest(evidence, at, told):
             continue
-        after = int(np.searchsorted(edges, at))
-        halves = ((edges[after - 1], at), (at, edges[after]))
-        valid = min(validity(evidence, a, b, settings) for a, b in halves)
-        found.append(
-            SegmentationPoint(
-                float(at),
-                chance_near(understood, float(at)),
-                _at(votes, t_s, float(at)),
-                kept=valid >= settings.validity.false_below,
-                internal=valid >= settings.validity.false_below,
-            )
-        )
-    return tuple(sorted(found, key=lambda point: point.at_s))
+        internal = at in voted and _valid(evidence, edges, at, settings)
+        sure = surely_moved(understood, at, settings)
+        found.append(SegmentationPoint(at, sure, _at(votes, t_s, at), internal, internal))
+    return found
+
+
+def _settled(evidence: Evidence, at_s: float) -> float:
+    """Return the gripper's instant within the rest an instant lies in, or the rest's middle."""
+    for spot in evidence.minima:
+        if spot.to_s > spot.from_s and spot.from_s - _SAME_S <= at_s <= spot.to_s + _SAME_S:
+            acting = [e.at_s for e in evidence.events if spot.from_s <= e.at_s <= spot.to_s]
+            return min(acting, key=lambda act: abs(act - at_s)) if acting else spot.at_s
+    return float(at_s)
+
+
+def _valid(evidence: Evidence, edges: Array, at_s: float, settings: SegmentationSettings) -> bool:
+    after = int(np.searchsorted(edges, at_s))
+    halves = ((edges[after - 1], at_s), (at_s, edges[after]))
+    valid = min(validity(evidence, a, b, settings) for a, b in halves)
+    return valid >= settings.validity.false_below
 
 
 def episodes(
@@ -113,6 +140,10 @@ def _one_rest(evidence: Evidence, at_s: float, edges: Array) -> bool:
     low, high = sorted((at_s, float(edges[np.argmin(np.abs(edges - at_s))])))
     between = evidence.pace[(t_s >= low) & (t_s <= high)]
     return bool(len(between) and np.max(between) < 0.5 * np.mean(evidence.pace))
+
+
+def _when(point: SegmentationPoint) -> float:
+    return point.at_s
 
 
 def _at(votes: dict[str, Array], t_s: Array, at_s: float) -> MappingProxyType[str, float]:

@@ -67,6 +67,20 @@ def inverted(pose: Floats) -> list[float]:
     return [-x, -y, -z, *back]
 
 
+def placed(xyz_mm: Floats, rpy_deg: Floats) -> list[float]:
+    """Return the pose told in mm and in degrees about fixed x, then y, then z."""
+    roll, pitch, yaw = (math.radians(one) / 2.0 for one in rpy_deg)
+    cr, cp, cy = math.cos(roll), math.cos(pitch), math.cos(yaw)
+    sr, sp, sy = math.sin(roll), math.sin(pitch), math.sin(yaw)
+    return [
+        *(one / 1000.0 for one in xyz_mm),
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    ]
+
+
 def arc(quat: Floats) -> tuple[list[float], float]:
     """Return axis and angle, in rad within [0, pi], of the shorter way a quaternion turns.
 

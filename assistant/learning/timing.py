@@ -6,6 +6,8 @@ acceleration constraints"); design, "Whole-task motion".
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from assistant.geometry import Array
@@ -37,6 +39,7 @@ def bounded_times(
     steps_s : array, shape (n - 1,)
         Times between samples as they should be.
     path : array, shape (n, 7)
+        Quaternions may change their sign: both are one rotation.
     greatest_m_s, greatest_rad_s : float
         Speed and turning never exceed these.
     brake : int
@@ -47,14 +50,43 @@ def bounded_times(
     t_s : array, shape (n,)
         From 0.
     """
-    t_s = np.concatenate([[0.0], np.cumsum(steps_s)])
-    need = np.maximum(
-        hand_speeds(t_s, path) / greatest_m_s, turn_speeds(t_s, path) / greatest_rad_s
-    )
+    t_s = np.empty(len(path))
+    t_s[0] = 0.0
+    need = _need(path, greatest_m_s, greatest_rad_s)
+    need /= steps_s
     if np.max(need, initial=0.0) <= 1.0:
+        np.cumsum(steps_s, out=t_s[1:])
         return t_s
-    slower = _spread(np.maximum(need, 1.0), brake)
-    return np.concatenate([[0.0], np.cumsum(steps_s * slower)])
+    np.cumsum(steps_s * _spread(np.maximum(need, 1.0), brake), out=t_s[1:])
+    return t_s
+
+
+def _need(path: Array, greatest_m_s: float, greatest_rad_s: float) -> Array:
+    """Return the least time between samples that keeps both bounds, shape (n - 1,)."""
+    steps = path[1:] - path[:-1]
+    steps *= steps
+    way = steps[:, 0] + steps[:, 1]
+    way += steps[:, 2]
+    apart = steps[:, 3] + steps[:, 4]
+    apart += steps[:, 5]
+    apart += steps[:, 6]
+    # As in `turn_speeds`; the squared chords to both signs of a rotation add up to 4.
+    half = np.sqrt(np.minimum(apart, np.abs(4.0 - apart)))
+    half *= 0.5
+    turn = np.arcsin(np.minimum(half, 1.0, out=half), out=half)
+    turn *= 4.0 / greatest_rad_s
+    np.sqrt(way, out=way)
+    way *= 1.0 / greatest_m_s
+    return np.maximum(way, turn, out=way)
+
+
+def resting_steps(t_s: Array, acts: Sequence[int], dwell_s: float) -> Array:
+    """Return which steps between samples lie in the rests around given samples, bool (n - 1,)."""
+    middles = (t_s[1:] + t_s[:-1]) / 2.0
+    resting = np.zeros(len(middles), dtype=bool)
+    for at in acts:
+        resting |= np.abs(middles - t_s[at]) <= dwell_s / 2.0
+    return resting
 
 
 def rms_jerk(xyz: Array, step_s: float) -> float:
@@ -66,7 +98,19 @@ def rms_jerk(xyz: Array, step_s: float) -> float:
 def _spread(need: Array, width: int) -> Array:
     """Return a smooth curve nowhere below `need`: the mean of its greatest values nearby."""
     half = max(width // 2, 1)
-    padded = np.pad(need, 2 * half, mode="edge")
     window = 2 * half + 1
-    greatest = np.max(np.lib.stride_tricks.sliding_window_view(padded, window), axis=1)
-    return np.convolve(greatest, np.full(window, 1.0 / window), mode="valid")
+    greatest = np.empty(len(need) + 4 * half)
+    greatest[2 * half : -2 * half] = need
+    greatest[: 2 * half], greatest[-2 * half :] = need[0], need[-1]
+    # The greatest of ever longer runs, each joined from two shorter ones.
+    length = 1
+    while length < window:
+        ahead = min(length, window - length)
+        greatest = np.maximum(greatest[:-ahead], greatest[ahead:])
+        length += ahead
+    summed = np.cumsum(greatest)
+    mean = summed[window - 1 :].copy()
+    mean[1:] -= summed[:-window]
+    mean *= 1.0 / window
+    # Rounding must not take it below.
+    return np.maximum(mean, need, out=mean)

@@ -18,7 +18,7 @@ import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.rigid import Floats, Rows, arc, left_factor, matrix, multiply
-from assistant.learning.weights import least_jerk
+from assistant.learning.weights import least_jerk, quintic
 
 Span = tuple[int, int]
 Turn = tuple[float, list[float]]
@@ -50,13 +50,11 @@ class Between:
     ----------
     first, last : int
         Last sample of the one stretch, first of the other; those between are carried.
-    hermite : array, shape (m, 6)
+    hermite : array, shape (6, m)
         Weights of value, slope and curvature (a sample's step being 1) at both ends.
-    share : array, shape (m,)
-        Share of the turn made.
+    share : array, shape (2, m)
+        Share of the turn made, and 1.
     quats : array, shape (4, m)
-    around : array, shape (3, m)
-        Distance, azimuth and height; or xyz.
     ends : two of End
     """
 
@@ -65,7 +63,6 @@ class Between:
     hermite: Array
     share: Array
     quats: Array
-    around: Array
     ends: tuple[End, End]
 
 
@@ -86,6 +83,8 @@ class Ways:
         Whether the way turns with the azimuth about the base.
     between : tuple of Between
         One fewer than `held`.
+    around : array, shape (3, l)
+        Distance, azimuth and height, or xyz, of all samples between stretches.
     """
 
     path: Array
@@ -94,6 +93,7 @@ class Ways:
     middles: Rows
     polar: bool
     between: tuple[Between, ...]
+    around: Array
 
 
 def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
@@ -119,7 +119,9 @@ def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
     ones = np.ones((len(path), 1))
     rows = np.hstack([path[:, :3], ones, path[:, 3:]])
     stretches = tuple(rows[first : last + 1].copy() for first, last in held)
-    return Ways(path, held, stretches, middles, polar, between)
+    free = [around[way.first + 1 : way.last] for way in between]
+    carried = np.ascontiguousarray(np.vstack([*free, np.zeros((0, 3))]).T)
+    return Ways(path, held, stretches, middles, polar, between, carried)
 
 
 def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
@@ -142,16 +144,8 @@ def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
     turning = [matrix(move[3:]) for move in moves]
     for k, (first, last) in enumerate(ways.held):
         np.matmul(ways.stretches[k], _rigid(turning[k], moves[k]), out=out[first : last + 1])
-    turns = _turns(ways, turning, moves)
-    for k, way in enumerate(ways.between):
-        if way.last > way.first + 1:
-            inside = slice(way.first + 1, way.last)
-            ends = [
-                *_end(way.ends[0], turning[k], moves[k], ways.polar),
-                *_end(way.ends[1], turning[k + 1], moves[k + 1], ways.polar),
-            ]
-            _place(way, np.array(ends), ways.polar, out[inside])
-            out[inside, 3:] = _turned(way, turns[k], turns[k + 1])
+    if ways.around.shape[1]:
+        _carry(ways, turning, moves, out)
     return out
 
 
@@ -162,10 +156,9 @@ def _between(path: Array, around: Array, first: int, last: int) -> Between:
     return Between(
         first,
         last,
-        quintic(share, length),
-        least_jerk(share),
+        np.ascontiguousarray(quintic(share, length).T),
+        np.stack([least_jerk(share), np.ones(len(share))]),
         np.ascontiguousarray(path[inside, 3:].T),
-        np.ascontiguousarray(around[inside].T),
         (_about(path, around, first), _about(path, around, last)),
     )
 
@@ -175,26 +168,6 @@ def _about(path: Array, around: Array, end: int) -> End:
     # the sample itself stands in for the missing one.
     samples = np.clip([end - 1, end, end + 1], 0, len(path) - 1)
     return End(path[samples, :3].tolist(), around[samples].tolist())
-
-
-def quintic(share: Array, length: int) -> Array:
-    """Return the weights, shape (m, 6), of a correction's ends at shares of the way.
-
-    Columns: value, slope and curvature where it begins, then where it ends, a sample's step
-    being 1 and the way `length` steps. Of all curves with these ends the sum has least jerk.
-    """
-    t = share
-    t2, t3 = t * t, t * t * t
-    last = t3 * (10.0 - 15.0 * t + 6.0 * t2)
-    weights = [
-        1.0 - last,
-        length * (t - t3 * (6.0 - 8.0 * t + 3.0 * t2)),
-        length**2 * (t2 / 2.0 - t3 * (1.5 - 1.5 * t + 0.5 * t2)),
-        last,
-        -length * t3 * (4.0 - 7.0 * t + 3.0 * t2),
-        length**2 * t3 * (0.5 - t + 0.5 * t2),
-    ]
-    return np.stack(weights, axis=1)
 
 
 def _rigid(turning: Rows, move: Floats) -> Array:
@@ -242,16 +215,46 @@ def _end(end: End, turning: Rows, move: Floats, polar: bool) -> Rows:
     ]
 
 
-def _place(way: Between, ends: Array, polar: bool, out: Array) -> None:
-    carried = ends.T @ way.hermite.T
-    carried += way.around
-    if polar:
-        radius, azimuth = carried[0], carried[1]
-        np.multiply(radius, np.cos(azimuth), out=out[:, 0])
-        np.multiply(radius, np.sin(azimuth), out=out[:, 1])
-        out[:, 2] = carried[2]
-    else:
-        out[:, :3] = carried.T
+def _carry(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats], out: Array) -> None:
+    """Carry all samples between stretches at once: small arrays cost more than long ones."""
+    samples = ways.around.shape[1]
+    # Rows of `angles`: the azimuth, half of its change, half of the arc.
+    carried, angles, terms = np.empty((3, samples)), np.empty((3, samples)), np.empty((16, samples))
+    turns = _turns(ways, turning, moves)
+    done = 0
+    for k, way in enumerate(ways.between):
+        inside = slice(done, done + way.share.shape[1])
+        ends = [
+            *_end(way.ends[0], turning[k], moves[k], ways.polar),
+            *_end(way.ends[1], turning[k + 1], moves[k + 1], ways.polar),
+        ]
+        np.matmul(np.array(ends).T, way.hermite, out=carried[:, inside])
+        halves, factors = _turned(turns[k], turns[k + 1])
+        np.matmul(np.array(halves), way.share, out=angles[1:, inside])
+        np.matmul(np.array(factors), way.quats, out=terms[:, inside])
+        done = inside.stop
+    carried += ways.around
+    angles[0] = carried[1]
+    cos, sin = np.cos(angles), np.sin(angles)
+    if ways.polar:
+        np.multiply(carried[0], sin[0], out=carried[1])
+        carried[0] *= cos[0]
+    quats = _summed(cos, sin, terms.reshape(4, 4, samples))
+    done = 0
+    for way in ways.between:
+        rows, inside = out[way.first + 1 : way.last], slice(done, done + way.share.shape[1])
+        rows[:, :3], rows[:, 3:] = carried[:, inside].T, quats[:, inside].T
+        done = inside.stop
+
+
+def _summed(cos: Array, sin: Array, terms: Array) -> Array:
+    """Return the product of both turns and the learned one: a sum with these weights."""
+    quats: Array = terms[0]
+    quats *= cos[1] * cos[2]
+    for weight, term in ((cos[1] * sin[2], 1), (sin[1] * cos[2], 2), (sin[1] * sin[2], 3)):
+        terms[term] *= weight
+        quats += terms[term]
+    return quats
 
 
 def _turns(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats]) -> list[Turn]:
@@ -268,21 +271,20 @@ def _turns(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats]) -> list
     return turns
 
 
-def _turned(way: Between, here: Turn, there: Turn) -> Array:
-    """Return the hand's quaternions on a way: azimuth, then the arc, then the learned turn."""
+def _turned(here: Turn, there: Turn) -> tuple[Rows, Rows]:
+    """Return how the hand turns on a way: azimuth, then the arc, then the learned turn.
+
+    Returns
+    -------
+    halves : two rows of two floats
+        Half of the azimuth's change and of the arc: for the share made, and where it begins.
+    factors : sixteen rows of four floats
+        The four quaternions, as left factors, that the turns are weighted sums of.
+    """
     (from_azimuth, rest), (to_azimuth, end) = here, there
     back = [-rest[0], -rest[1], -rest[2], rest[3]]
     axis, angle = arc(multiply(back, end))
-    about_z = (0.5 * (to_azimuth - from_azimuth)) * way.share + 0.5 * from_azimuth
-    along = (0.5 * angle) * way.share
     begun = multiply(rest, [*axis, 0.0])
-    # The product of both turns is a sum of four fixed quaternions with these weights.
-    cos_z, sin_z, cos_a, sin_a = np.cos(about_z), np.sin(about_z), np.cos(along), np.sin(along)
     terms = [rest, begun, multiply(_UP, rest), multiply(_UP, begun)]
-    factors = np.array([row for term in terms for row in left_factor(term)])
-    whole = (factors @ way.quats).reshape(4, 4, -1)
-    out = (cos_z * cos_a) * whole[0]
-    out += (cos_z * sin_a) * whole[1]
-    out += (sin_z * cos_a) * whole[2]
-    out += (sin_z * sin_a) * whole[3]
-    return np.asarray(out.T)
+    halves = [[0.5 * (to_azimuth - from_azimuth), 0.5 * from_azimuth], [0.5 * angle, 0.0]]
+    return halves, [row for term in terms for row in left_factor(term)]

@@ -98,3 +98,23 @@ def _share(travel: Array) -> Array:
     if whole <= 0.0:
         return np.linspace(0.0, 1.0, len(travel))
     return np.asarray((travel - travel[0]) / whole)
+
+
+def quintic(share: Array, length: int) -> Array:
+    """Return the weights, shape (m, 6), of a correction's ends at shares of the way.
+
+    Columns: value, slope and curvature where it begins, then where it ends, a sample's step
+    being 1 and the way `length` steps. Of all curves with these ends the sum has least jerk.
+    """
+    t = share
+    t2, t3 = t * t, t * t * t
+    last = t3 * (10.0 - 15.0 * t + 6.0 * t2)
+    weights = [
+        1.0 - last,
+        length * (t - t3 * (6.0 - 8.0 * t + 3.0 * t2)),
+        length**2 * (t2 / 2.0 - t3 * (1.5 - 1.5 * t + 0.5 * t2)),
+        last,
+        -length * t3 * (4.0 - 7.0 * t + 3.0 * t2),
+        length**2 * t3 * (0.5 - t + 0.5 * t2),
+    ]
+    return np.stack(weights, axis=1)

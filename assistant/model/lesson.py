@@ -186,13 +186,16 @@ class Lesson:
     before, until : mapping of primitive name to conditions
         As inferred (paper III-C c); what the teacher told stands in the tree.
     sources : tuple of str
-        The demonstrations learned from.
+        File names of the demonstrations learned from.
     feedback : tuple of Feedback
         Corrections in the order given; undone ones are not here.
     speed : float
         Factor of the demonstration's speed, 1 as shown.
     approach_axis : str
         Of the hand.
+    jerk_m_s3 : float or None
+        Root mean square of the smoothed demonstration's jerk, before docking was straightened
+        and rests were made; None where it was not measured.
     """
 
     segmentation: Segmentation
@@ -206,3 +209,4 @@ class Lesson:
     feedback: tuple[Feedback, ...] = ()
     speed: float = 1.0
     approach_axis: str = "x"
+    jerk_m_s3: float | None = None

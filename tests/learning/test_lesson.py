@@ -11,6 +11,7 @@ from assistant.errors import BadInput, NothingLearned
 from assistant.geometry import angle_between, compose, distance_between, quat_to_rotvec, relative
 from assistant.learning.docking import grasp_ways, lateral_axis
 from assistant.learning.lesson import learn
+from assistant.learning.timing import rms_jerk
 from assistant.model.demonstration import Recording
 from assistant.model.feedback import Feedback
 from assistant.model.scene import Body, Scene
@@ -169,3 +170,18 @@ def test_the_lateral_axis_is_neither_the_approach() -> None:
         ways = grasp_ways(axis)
         assert np.allclose(ways @ ways.T, np.eye(2))
         assert np.allclose(ways @ lateral_axis(axis), 0.0)
+
+
+def test_jerk_is_that_of_the_demonstration_before_it_was_changed() -> None:
+    made, hasty = lesson(), lesson(hasty=True)
+    assert made.path is not None
+    assert hasty.path is not None
+    assert made.jerk_m_s3 == pytest.approx(rms_jerk(made.path.path[:, :3], 0.02), rel=0.1)
+    # A hand that closed in motion is braked for it: the learned path has more jerk.
+    assert hasty.jerk_m_s3 == pytest.approx(made.jerk_m_s3, rel=0.01)
+    assert rms_jerk(hasty.path.path[:, :3], 0.02) > 1.05 * (hasty.jerk_m_s3 or 0.0)
+
+
+def test_sources_are_file_names() -> None:
+    shown = replace(demonstration(), source="some/folder/shown.yaml")
+    assert learn([shown], task(), cuts_s=CUTS_S).sources == ("shown.yaml",)

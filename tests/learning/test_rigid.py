@@ -9,6 +9,7 @@ from assistant.geometry import (
     Array,
     compose,
     inverse,
+    pose_from_mm_deg,
     quat_from_rotvec,
     quat_multiply,
     quat_to_matrix,
@@ -32,6 +33,13 @@ def test_floats_agree_with_arrays(seed: int) -> None:
     assert np.allclose(product, quat_multiply(a[3:], b[3:]), atol=1e-14)
     turned = rigid.turned(a[3:].tolist(), b[:3].tolist())
     assert np.allclose(turned, rotate_vector(a[3:], b[:3]), atol=1e-14)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_told_poses_agree_with_arrays(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    xyz, rpy = rng.uniform(-500, 500, 3).tolist(), rng.uniform(-180, 180, 3).tolist()
+    assert np.allclose(rigid.placed(xyz, rpy), pose_from_mm_deg(xyz, rpy), atol=1e-15)
 
 
 def test_a_half_turn_is_made_to_the_left() -> None:

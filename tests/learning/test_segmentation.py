@@ -1,13 +1,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from assistant.errors import BadInput, NothingLearned
+from assistant.files.demonstrations import read_demonstration
+from assistant.files.tasks import read_task
 from assistant.learning.segmentation import segment
 from assistant.model.demonstration import Recording, Spoken
+from assistant.model.lesson import Segmentation
 from assistant.model.settings import paper
 from assistant.model.setup import Setup
 from assistant.model.task import Action, Primitive, Subtask, primitives
@@ -50,6 +54,27 @@ def test_a_gripper_cut_is_at_its_instant() -> None:
     closed_s = float(recording.t_s[int(np.argmax(half))])
     found = np.array(segment(shown.demonstration, shown.task).cuts_s)
     assert np.min(np.abs(found - closed_s)) <= 0.04
+
+
+def shipped() -> Segmentation:
+    folder = Path(__file__).parents[2] / "tasks"
+    shown = read_demonstration(folder / "demonstrations" / "pick_and_place.yaml")
+    return segment(shown, read_task(folder / "pick_and_place.yaml"))
+
+
+def test_a_point_within_a_primitive_is_the_grippers_instant_in_its_rest() -> None:
+    inner = [point for point in shipped().points if point.internal]
+    assert [point.at_s for point in inner] == [pytest.approx(15.96, abs=0.02)]
+    assert inner[0].confidence > 0.5
+
+
+def test_eliminated_points_are_told() -> None:
+    found = shipped()
+    away = [point for point in found.points if not point.kept]
+    assert away
+    assert all(point.confidence < 0.5 for point in away)
+    others = np.array([point.at_s for point in found.points if point.kept])
+    assert all(np.min(np.abs(others - point.at_s)) >= 0.3 for point in away)
 
 
 def test_points_tell_who_voted_and_how_sure() -> None:

@@ -46,3 +46,22 @@ def test_jerk_of_a_cubic_is_its_third_derivative() -> None:
     t_s = np.arange(50) * 0.02
     xyz = np.stack([t_s**3, 0 * t_s, 0 * t_s], axis=1)
     assert rms_jerk(xyz, 0.02) == pytest.approx(6.0)
+
+
+def test_the_sign_of_a_quaternion_is_no_motion() -> None:
+    path, steps_s = wandering(3), np.full(299, 0.02)
+    flipped = path.copy()
+    flipped[::7, 3:] *= -1.0
+    flipped[150:, 3:] *= -1.0
+    for turning in (0.5, 100.0):
+        there = bounded_times(steps_s, path, 100.0, turning, 20)
+        assert np.allclose(bounded_times(steps_s, flipped, 100.0, turning, 20), there, atol=1e-6)
+
+
+@pytest.mark.parametrize(("count", "brake"), [(2, 20), (5, 1), (40, 41), (300, 2)])
+def test_bounds_hold_on_paths_of_any_length(count: int, brake: int) -> None:
+    path = wandering(1)[:count]
+    t_s = bounded_times(np.full(count - 1, 0.02), path, 0.01, 0.1, brake)
+    assert t_s.shape == (count,)
+    assert np.max(hand_speeds(t_s, path)) <= 0.01 * (1 + 1e-9)
+    assert np.max(turn_speeds(t_s, path)) <= 0.1 * (1 + 1e-9)
