@@ -78,8 +78,10 @@ def _with_json(args: argparse.Namespace) -> int:
 
 def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
     from assistant.shells.plain import PlainShell
+    from assistant.shells.wrapping import columns
 
-    shell = PlainShell(lambda line: print(line, flush=True), args.pace)
+    width = columns() if live else None
+    shell = PlainShell(lambda line: print(line, flush=True), args.pace, width)
     session = _opened(args, shell.out)
     return _guarded(session, lambda: shell.run(session, sys.stdin, live=live))
 
@@ -140,7 +142,7 @@ def _guarded(session: Session, hold: Callable[[], None]) -> int:
 
 def _tell_where(session: Session) -> None:
     if session.journal.trouble:
-        print(f"this session could not be kept: {session.journal.trouble}", file=sys.stderr)
+        # Said when it came up.
         return
     name = session.journal.name
     told = f"kept in {session.journal.path}; go on with: assistant teach --resume {name}"

@@ -13,6 +13,7 @@ from assistant.files.demonstrations import read_demonstration
 from assistant.files.transcripts import transcript_of
 from assistant.model.transcript import Demonstrate, Step, Wait
 from assistant.plain_yaml import read_text
+from assistant.session import halting
 from assistant.session.loop import Session
 
 BEGIN = "go"
@@ -84,7 +85,7 @@ def _found(step: Demonstrate, base: Path) -> Demonstrate:
     return replace(step, recording=str(path), cues=shown.cues, key_states=shown.key_states)
 
 
-def leave(session: Session, why: str) -> None:
+def leave(session: Session, why: str = halting.NOBODY) -> None:
     """End the conversation because nobody is there any more: stop, then quit.
 
     What was not saved stays in the journal and can be resumed.

@@ -27,12 +27,13 @@ from assistant.model.task import Task
 from assistant.model.teacher_acts import Stop
 from assistant.model.transcript import Note
 from assistant.ports import Hand, HandSample
+from assistant.session import halting
 from assistant.session.doing import do
 from assistant.session.equipment import DrivenHand, Equipment
 from assistant.session.happenings import Store, to_step
 from assistant.session.journal import Journal
 from assistant.session.motion import Mover
-from assistant.session.saying import as_step
+from assistant.session.saying import as_step, not_kept
 from assistant.session.watching import Watching
 
 Out = Callable[[RobotAct, str], None]
@@ -85,7 +86,7 @@ class Session:
         self.drawn = 0
         self.left = False
         self._events: deque[events.Event] = deque()
-        self._busy = False
+        self._busy = self._trouble_told = False
 
     @property
     def moving(self) -> bool:
@@ -109,6 +110,7 @@ class Session:
 
     def begin(self, scene: Scene, setup: Setup, task: Task | None, saved: tuple[str, ...]) -> None:
         """Open the conversation."""
+        self.tell_trouble()
         self.mover.arrange(scene, setup)
         self.happen(events.Begun(scene, setup, task, saved))
 
@@ -153,7 +155,7 @@ class Session:
         self.happen(events.Heard(text, self.understood(text, sure), by_voice, sure, ago_s))
 
     def halt(self, why: str) -> None:
-        """Stop the arm for a reason outside the conversation: a key, a closed window."""
+        """Stop the arm for a reason outside the conversation; see `halting`."""
         self.equipment.stop_flag.set()
         if self.moving:
             self.mover.halt(why)
@@ -161,7 +163,7 @@ class Session:
 
     def arrange(self, scene: Scene, setup: Setup) -> None:
         """Put things where the teacher says."""
-        self.halt("things are put elsewhere")
+        self.halt(halting.REARRANGED)
         self.mover.arrange(scene, setup)
         self.happen(events.Arranged(setup, scene))
 
@@ -244,6 +246,7 @@ class Session:
         self.dialogue, effects = step(self.dialogue, event)
         for effect in effects:
             do(self, effect)
+        self.tell_trouble()
 
     def note(self, event: events.Event) -> None:
         """Keep the cues and key states said while a demonstration is watched."""
@@ -268,6 +271,12 @@ class Session:
         text = self.phrased(line)
         self.journal.write(Note(text))
         self.out(line, text)
+
+    def tell_trouble(self) -> None:
+        """Say once that the session cannot be written down, as soon as that is so."""
+        if self.journal.trouble and not self._trouble_told:
+            self._trouble_told = True
+            self.out(line := not_kept(self.journal.trouble), self.phrased(line))
 
     def phrased(self, line: RobotAct) -> str:
         """Return the sentence for a line."""

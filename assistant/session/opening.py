@@ -16,6 +16,7 @@ from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.transcript import Happened, Restart, SetupChoice, Transcript
+from assistant.session import halting
 from assistant.session.doing import do
 from assistant.session.equipment import EquipmentMaker
 from assistant.session.journal import Journal
@@ -132,11 +133,12 @@ def reopen_session(opening: Opening, session: Session) -> Session:
 
 
 def _go_on(session: Session, fed: Fed) -> None:
+    session.tell_trouble()
     _tell_resumed(session, fed)
     for owed in (*fed.lines, *fed.owed):
         do(session, owed)
     if motion_pending(session):
-        session.happen(events.Halted("the program was interrupted"))
+        session.happen(events.Halted(halting.INTERRUPTED))
 
 
 def _tell_resumed(session: Session, fed: Fed) -> None:

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+from types import MappingProxyType
 from typing import Any
 
 from assistant.model.robot_acts import RobotAct
 from assistant.model.teacher_acts import Stage
 from assistant.model.transcript import RobotLine
+
+
+def not_kept(trouble: str) -> RobotAct:
+    """Return the line that tells that a session cannot be written down."""
+    return RobotAct("error", "not_kept", slots=MappingProxyType({"reason": trouble}))
 
 
 def as_step(line: RobotAct, text: str) -> RobotLine:

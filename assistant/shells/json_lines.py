@@ -53,7 +53,7 @@ class JsonShell:
         while not session.left:
             line = self._lines.get()
             if line is None:
-                leave(session, "nobody is there any more")
+                leave(session)
                 return
             self._take(session, line)
             if not session.left:

@@ -9,10 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from assistant.model.robot_acts import RobotAct
+from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.loop import Session
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
+from assistant.shells.wrapping import wrapped
+
+NAME = "robot: "
 
 
 class PlainShell:
@@ -24,17 +28,25 @@ class PlainShell:
         Takes one line of output.
     pace : float
         How many simulated seconds pass in a real one, at a terminal.
+    width : int, optional
+        Lines are broken to; a pipe gets them whole.
     """
 
-    def __init__(self, write: Callable[[str], None], pace: float = 1.0) -> None:
-        self._pace = pace
+    def __init__(
+        self, write: Callable[[str], None], pace: float = 1.0, width: int | None = None
+    ) -> None:
+        self._pace, self._width = pace, width
         self._write = write
         self._showing = Showing(write)
         self._error: BaseException | None = None
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line."""
-        self._write(f"robot: {text}")
+        if self._width is None:
+            self._write(f"{NAME}{text}")
+            return
+        for one in wrapped(text, self._width, before=NAME):
+            self._write(one)
 
     def run(self, session: Session, lines: Iterable[str], *, live: bool) -> None:
         """Hold the conversation until the robot leaves or the input ends.
@@ -60,13 +72,13 @@ class PlainShell:
                     break
         except KeyboardInterrupt:
             with ticker.lock:
-                session.halt("you pressed Ctrl-C")
+                session.halt(halting.KEY)
                 self._write("(stopped)")
         finally:
             ticker.stop()
         if self._error is not None:
             raise self._error
-        leave(session, "nobody is there any more")
+        leave(session)
 
     def _take(self, session: Session, line: str) -> None:
         if line and not self._showing.take(session, line):

@@ -12,10 +12,10 @@ from assistant.session.acting import demonstrate
 from assistant.session.loop import Session
 
 OFFER = (
-    "  How will you show it? Type one of:",
-    "    keys             drive the hand yourself with the keyboard",
-    "    scripted hand    let a scripted hand show it (scripted hand 7: another one)",
-    "    FILE             a recording (.csv) or demonstration (.yaml)",
+    "How will you show it? Type one of:",
+    "  keys             drive the hand yourself with the keyboard",
+    "  scripted hand    let a scripted hand show it (scripted hand 7: another one)",
+    "  FILE             a recording (.csv) or demonstration (.yaml)",
 )
 """What a newcomer needs to know when the robot begins to watch."""
 _SCRIPTED = re.compile(r"(?:the )?script(?:ed)?(?: hand)?(?: (\d+))?", re.IGNORECASE)
@@ -65,5 +65,5 @@ class Showing:
             else:
                 return False
         except AssistantError as error:
-            self._write(f"  {error}")
+            self._write(str(error))
         return True

@@ -5,7 +5,6 @@ The arm moves beside the typing; a half-typed sentence stays as it is while the 
 
 from __future__ import annotations
 
-import os
 import sys
 from collections.abc import Iterable
 from pathlib import Path
@@ -20,18 +19,22 @@ from prompt_toolkit.patch_stdout import patch_stdout
 
 from assistant.language.completion import suggestions
 from assistant.model.robot_acts import RobotAct
+from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.loop import Session
 from assistant.shells.keys import Driving
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
+from assistant.shells.wrapping import columns, styled, wrapped
 
 WELCOME = (
-    "  Answer in your own words and press Enter. Tab shows what can be said now,",
-    "  Ctrl-C stops the arm at once, 'help' explains, 'quit' leaves. Nothing you say is lost.",
+    "Answer in your own words and press Enter. Tab shows what can be said now, the up arrow what "
+    "you said before, Ctrl-C stops the arm at once, 'help' explains, 'quit' leaves."
 )
+KEPT = " Nothing you say is lost."
 STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm": "1"}
 """Colors of a terminal by the robot's acts (ANSI)."""
+NAME, INDENT = "robot: ", "  "
 NAME_STYLE, HINT_STYLE = "36", "90"
 REFRESH_S = 0.5
 
@@ -57,14 +60,17 @@ class TextShell:
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
-        write(f"{styled('robot: ', NAME_STYLE)}{styled(text, STYLES.get(line.act, ''))}")
+        style = STYLES.get(line.act, "")
+        first, *more = wrapped(text, columns(), before=NAME)
+        write(styled(NAME, NAME_STYLE) + styled(first[len(NAME) :], style))
+        for one in more:
+            write(styled(one, style))
 
     def run(self, session: Session) -> None:
         """Hold the conversation until the robot leaves or the terminal closes."""
         self._session = session
         self._ticker = ticker = Ticker(session, self._fail, self._pace)
-        for line in WELCOME:
-            self._write(line)
+        self._write(WELCOME + ("" if session.journal.trouble else KEPT))
         prompt = self._prompt(session)
         ticker.start()
         try:
@@ -73,7 +79,7 @@ class TextShell:
                     self._turn(session, prompt)
         except EOFError:
             with ticker.lock:
-                leave(session, "nobody is there any more")
+                leave(session)
         finally:
             ticker.stop()
         if self._error is not None:
@@ -109,25 +115,26 @@ class TextShell:
                 session.equipment.stop_flag.set()
                 assert self._ticker is not None
                 with self._ticker.lock:
-                    session.halt("you pressed Ctrl-C")
+                    session.halt(halting.KEY)
             elif event.current_buffer.text:
                 event.current_buffer.reset()
             else:
-                self._write("  (the arm rests; 'quit' or Ctrl-D leaves)")
+                self._write("(the arm rests; 'quit' or Ctrl-D leaves)")
 
         return keys
 
     def _drive(self, session: Session) -> None:
         mover, driver = session.mover, session.equipment.driver
         if driver is None:
-            self._write("  this arm cannot be driven by keys")
+            self._write("this arm cannot be driven by keys")
             return
         mover.arrange(mover.scene, mover.setup)
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         Driving(session, hand).run()
 
-    def _write(self, line: str) -> None:
-        write(styled(line, HINT_STYLE))
+    def _write(self, text: str) -> None:
+        for line in wrapped(text, columns(), before=INDENT):
+            write(styled(line, HINT_STYLE))
 
     def _fail(self, error: BaseException) -> None:
         self._error = error
@@ -137,13 +144,6 @@ def write(text: str) -> None:
     """Write a line above the one being typed; safe from any thread while the prompt is open."""
     sys.stdout.write(f"{text}\n")
     sys.stdout.flush()
-
-
-def styled(text: str, style: str) -> str:
-    """Return text in a color, unless colors are not wanted."""
-    if not style or os.environ.get("NO_COLOR"):
-        return text
-    return f"\x1b[{style}m{text}\x1b[0m"
 
 
 class Sayable(Completer):

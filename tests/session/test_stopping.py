@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from assistant.session import halting
 from assistant.session.loop import Session
 from tests.session.lessons import Heard, lesson, opened
 
@@ -60,7 +61,7 @@ def test_only_a_new_start_moves_again(moving: tuple[Session, Heard]) -> None:
 
 def test_a_key_and_a_closed_window_stop_with_the_reason(moving: tuple[Session, Heard]) -> None:
     session, heard = moving
-    session.halt("you pressed Ctrl-C")
+    session.halt(halting.KEY)
     session.rest()
     assert [text for line, text in heard.lines if line.act == "stopped"] != []
     assert "Ctrl-C" in heard.lines[-1][1]
@@ -69,7 +70,7 @@ def test_a_key_and_a_closed_window_stop_with_the_reason(moving: tuple[Session, H
 
 def test_at_rest_a_stop_word_blocks_no_later_start(tmp_path: Path) -> None:
     session = opened(tmp_path)
-    session.halt("nothing moves")
+    session.halt(halting.KEY)
     session.hear("my bus stop is near")
     assert not session.equipment.stop_flag.is_set()
     session.close()
