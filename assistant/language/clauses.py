@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assistant.language.frames import framed
 from assistant.language.located import correction, explained, key_state, located_correction
 from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, bared, texts_of
 from assistant.language.poses import read_pose
@@ -24,6 +25,10 @@ def clause(words: Words, hearing: Hearing) -> Parse | None:
                 best = parse
         if best is not None and best.score >= SURE - 0.01:
             return best
+    if best is None or best.score < LIKELY:
+        told = framed(words, hearing)
+        if told is not None and (best is None or told.score > best.score):
+            return told
     return best
 
 

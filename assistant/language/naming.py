@@ -88,7 +88,7 @@ def _likeness(words: Sequence[str], name: str) -> float:
 
 def _shared(words: Sequence[str], name: str) -> int:
     """Return how many words, small ones too, are those of the name."""
-    return len({_stem(word) for word in words} & {_stem(word) for word in name.lower().split()})
+    return len({stem(word) for word in words} & {stem(word) for word in name.lower().split()})
 
 
 def _same_content(name: str, other: str) -> bool:
@@ -97,11 +97,12 @@ def _same_content(name: str, other: str) -> bool:
 
 def _stems(words: Sequence[str]) -> set[str]:
     content = [word for word in words if word not in _GENERIC and word not in _STEP]
-    return {_stem(word) for word in (content or words)}
+    return {stem(word) for word in (content or words)}
 
 
-def _stem(word: str) -> str:
-    stem = _ENDINGS.sub("", word) if len(word) > 3 else word
-    if len(stem) > 3 and stem[-1] == stem[-2]:
-        stem = stem[:-1]
-    return stem
+def stem(word: str) -> str:
+    """Return a word without its ending, so that "moves" and "moving" are alike."""
+    found = _ENDINGS.sub("", word) if len(word) > 3 else word
+    if len(found) > 3 and found[-1] == found[-2]:
+        found = found[:-1]
+    return found
