@@ -29,6 +29,19 @@ def middle_in_base(height_mm: float) -> Array:
     return pose
 
 
+def holed(body: Body) -> tuple[list[list[float]], list[list[float]]]:
+    """Return half sizes and middles, in m from the body's middle, of the boxes around a hole."""
+    x, y, z = (edge / 1000.0 for edge in body.size_mm)
+    wide, long, deep = (edge / 1000.0 for edge in body.hole_mm)
+    side, front, up = (x - wide) / 4, (y - long) / 4, (z - deep) / 2
+    halves = [[x / 2, y / 2, up]]
+    middles = [[0.0, 0.0, up - z / 2]]
+    for sign in (-1.0, 1.0):
+        halves += [[side, y / 2, deep / 2], [wide / 2, front, deep / 2]]
+        middles += [[sign * (wide / 2 + side), 0.0, up], [0.0, sign * (long / 2 + front), up]]
+    return halves, middles
+
+
 def add_body(client: Client, body: Body, base: Array) -> int:
     """Put a body at a pose of its base, shape (7,), and return its number."""
     pose = compose(base, middle_in_base(body.size_mm[2]))
@@ -71,6 +84,15 @@ def add_obstacle(client: Client, box: Obstacle) -> int:
 
 def _collision(client: Client, body: Body) -> int:
     x, y, z = (edge / 1000.0 for edge in body.size_mm)
+    if any(body.hole_mm):
+        halves, middles = holed(body)
+        return int(
+            client.createCollisionShapeArray(
+                shapeTypes=[client.GEOM_BOX] * len(halves),
+                halfExtents=halves,
+                collisionFramePositions=middles,
+            )
+        )
     match body.shape:
         case "box":
             half = [x / 2, y / 2, z / 2]
@@ -108,6 +130,16 @@ def _cup(client: Client, radius: float, height: float) -> int:
 def _visual(client: Client, body: Body) -> int:
     x, y, z = (max(edge / 1000.0, FLAT_M) for edge in body.size_mm)
     color = COLORS.get(body.color, COLORS["yellow"])
+    if any(body.hole_mm):
+        halves, middles = holed(body)
+        return int(
+            client.createVisualShapeArray(
+                shapeTypes=[client.GEOM_BOX] * len(halves),
+                halfExtents=halves,
+                visualFramePositions=middles,
+                rgbaColors=[color] * len(halves),
+            )
+        )
     if body.shape == "box":
         half = [x / 2, y / 2, z / 2]
         return int(client.createVisualShape(client.GEOM_BOX, halfExtents=half, rgbaColor=color))

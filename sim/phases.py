@@ -116,7 +116,8 @@ def phases(
     bodies = bodies_at(scene, setup, look)
     held = look.held if look else ""
     in_hand = _in_hand(scene, fine, held, bodies, look)
-    marks = frozenset(name for name in bodies if scene.bodies[name].mass_kg == 0)
+    bare = [name for name in bodies if not any(scene.bodies[name].hole_mm)]
+    marks = frozenset(name for name in bare if scene.bodies[name].mass_kg == 0)
     found, first = [], 0
     fixed = fixed_things(scene)
     for stop in (*fine.stops, None):

@@ -8,6 +8,7 @@ looked at and the release corrected, and what happens is reported.
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from assistant.model.motion import ArmReport, HandStop, JointPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim import a465, alignment
+from sim import a465, alignment, measures
 from sim.correction import corrected, release_offset
 from sim.kinematics import forward
 from sim.playback import Playback, planned_reports
@@ -294,7 +295,6 @@ class SimulatedArm:
 
     def _finish(self) -> ArmReport:
         self._playback = None
-        at_s = self._now_s - self._began_s
-        bodies = self.world.bodies()
-        found = alignment.alignments(self._scene, self._setup, self._released, bodies)
-        return ArmReport("finished", at_s, self._primitive, alignments=found)
+        known = (self._scene, self._setup, self._released, self.world.bodies())
+        found, told = alignment.alignments(*known), measures.measured(*known)
+        return replace(self._report("finished"), alignments=found, measures=told)

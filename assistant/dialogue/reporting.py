@@ -203,7 +203,16 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
     if run.purpose == "replay":
         return reviewing.replayed(dialogue)
     lacking = missing(dialogue.known, run)
-    result = RunResult(run.setup, run.pace, run.corrected, not lacking, lacking, report.alignments)
+    complete = not lacking and all(measure.good for measure in report.measures)
+    result = RunResult(
+        run.setup,
+        run.pace,
+        run.corrected,
+        complete,
+        lacking,
+        report.alignments,
+        report.measures,
+    )
     counts = result.complete and not (run.corrected or run.interrupted)
     clean = (*dialogue.clean, result) if counts else ()
     after = replace(

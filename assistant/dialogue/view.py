@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import asdict, replace
 from typing import Any
 
 from assistant.dialogue.asking import PRACTICE, places, question, stage
@@ -128,4 +128,5 @@ def _run(result: RunResult) -> dict[str, Any]:
             }
             for one in result.alignments
         ],
+        "measures": [asdict(one) for one in result.measures],
     }

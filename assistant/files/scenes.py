@@ -44,6 +44,19 @@ class BodyForm(Form):
     grasp_rpy_deg: Triple = _PLAIN.grasp_rpy_deg
     normal: Triple = Field(_PLAIN.normal, description="surface normal of a target")
     color: NameOrNone = ""
+    hole_mm: Size = Field(
+        _PLAIN.hole_mm, description="of a box with a hole from above: x, y and depth"
+    )
+
+    @model_validator(mode="after")
+    def _fits_hole(self) -> BodyForm:
+        if not any(self.hole_mm):
+            return self
+        if self.shape != "box" or not all(self.hole_mm):
+            raise ValueError("a hole is in a box, and has x, y and depth")
+        if any(hole >= size for hole, size in zip(self.hole_mm, self.size_mm, strict=True)):
+            raise ValueError("the hole does not fit in the box; it is smaller on every side")
+        return self
 
     @model_validator(mode="after")
     def _has_normal(self) -> BodyForm:
@@ -160,6 +173,8 @@ def _body_values(body: Body) -> dict[str, Any]:
         values["grasp_rpy_deg"] = _row(body.grasp_rpy_deg)
     if body.normal != _PLAIN.normal:
         values["normal"] = _row(body.normal)
+    if any(body.hole_mm):
+        values["hole_mm"] = _row(body.hole_mm)
     return {**values, "color": body.color} if body.color else values
 
 

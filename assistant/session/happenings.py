@@ -19,7 +19,7 @@ from assistant.files.setups import read_setups, write_setups
 from assistant.files.tasks import read_task, write_task
 from assistant.model.lesson import Lesson
 from assistant.model.listening import Listening, Understanding
-from assistant.model.motion import Alignment, ArmReport, Refusal
+from assistant.model.motion import Alignment, ArmReport, Measure, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Subtask, Task
@@ -212,7 +212,8 @@ def _read_checked(told: Any, folder: Path) -> events.Event:
 
 def _read_arm(told: Any, folder: Path) -> events.Event:
     alignments = tuple(Alignment(**one) for one in told.get("alignments", ()))
-    return events.ArmReported(ArmReport(**{**told, "alignments": alignments}))
+    measures = tuple(Measure(**one) for one in told.get("measures", ()))
+    return events.ArmReported(ArmReport(**{**told, "alignments": alignments, "measures": measures}))
 
 
 def _read_loaded(told: Any, folder: Path) -> events.Event:

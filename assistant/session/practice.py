@@ -48,6 +48,8 @@ class SetupResult:
         What was planned.
     reports : tuple of ArmReport
         What the arm told.
+    measures : tuple of mapping
+        What tells success where alignment does not; the fields of `Measure`.
     """
 
     name: str
@@ -63,10 +65,11 @@ class SetupResult:
     note: str = ""
     motion: JointPath | None = None
     reports: tuple[ArmReport, ...] = field(default=(), repr=False)
+    measures: tuple[Mapping[str, Any], ...] = ()
 
     def values(self) -> dict[str, Any]:
         """Return the fields of a JSON answer."""
-        left_out = ("motion", "reports")
+        left_out = ("motion", "reports", *(() if self.measures else ("measures",)))
         kept = replace(self, motion=None, reports=())
         return {key: value for key, value in asdict(kept).items() if key not in left_out}
 
@@ -169,6 +172,13 @@ def _judged(run: SetupResult) -> SetupResult:
     last = run.reports[-1] if run.reports else None
     if last is None or last.kind != "finished":
         return replace(run, status="missed", reason=_halted(last))
+    measures = tuple(asdict(measure) for measure in last.measures)
+    judged = _aligned(replace(run, measures=measures), last)
+    bad = [measure for measure in last.measures if not measure.good]
+    return replace(judged, status="missed", reason=str(bad[0])) if bad else judged
+
+
+def _aligned(run: SetupResult, last: ArmReport) -> SetupResult:
     if not last.alignments:
         return run
     distance = max(found.distance_mm for found in last.alignments)

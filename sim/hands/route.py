@@ -20,6 +20,7 @@ from sim.alignment import place_on, told_bodies
 
 DOCK_BACK_M = 0.07
 DOCK_ABOVE_M = 0.04
+DOCK_OVER_HOLE_M = 0.02
 COME_FROM_M = (-0.06, 0.0, 0.07)
 """On the way to a docking pose, seen from it: further back and higher."""
 OVER_M = 0.09
@@ -141,7 +142,10 @@ def _carry_out(way: _Way, primitive: Primitive) -> None:
 def _approach(way: _Way, name: str) -> None:
     way.near = name
     if way.held:
-        docking = _moved(way.release_pose(name), (0.0, 0.0, DOCK_ABOVE_M))
+        body = way.scene.bodies.get(name)
+        deep_m = body.hole_mm[2] / 1000.0 if body else 0.0
+        above_m = deep_m + DOCK_OVER_HOLE_M if deep_m else DOCK_ABOVE_M
+        docking = _moved(way.release_pose(name), (0.0, 0.0, above_m))
         way.go(_moved(docking, (0.0, 0.0, OVER_M)), "pass")
         way.go(docking, "reach")
         return

@@ -38,6 +38,7 @@ SHIPPED = (
     ("pick_and_place", "demonstration", 7),
     ("stacking", "stacking", 11),
     ("sorting", "sorting", 5),
+    ("insertion", "insertion", 3),
 )
 """Task, setup and seed of each."""
 LAST_FIRST = ("sorting",)

@@ -17,7 +17,7 @@ from assistant.model.task import Task
 from assistant.session.practice import SetupResult, practice_setup
 from sim.bullet_arm import BulletArm
 from sim.planner import A465Planner
-from sim.sensor import InHandSensor
+from sim.sensor import InHandSensor, PlaceNoise
 
 TASKS = Path(__file__).parents[2] / "tasks"
 
@@ -30,11 +30,11 @@ def learned(name: str) -> Task:
     return replace(task, learned=learn([shown], task, scene=find_scene(shown.setup.scene, path)))
 
 
-def practiced(name: str, number: int) -> SetupResult:
+def practiced(name: str, number: int, arm: BulletArm | None = None) -> SetupResult:
     path = TASKS / "setups" / f"{name}.yaml"
     setup = read_setups(path)[number]
     scene = find_scene(setup.scene, path)
-    arm = BulletArm(sensor=InHandSensor())
+    arm = arm or BulletArm(sensor=InHandSensor())
     return practice_setup(learned(name), scene, setup, arm=arm, planner=A465Planner())
 
 
@@ -58,3 +58,19 @@ def test_each_block_is_sorted_to_its_square(number: int) -> None:
     assert pairs == {("red block", "red square"), ("blue block", "blue square")}
     assert result.distance_mm is not None
     assert result.distance_mm < 0.5
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_the_peg_goes_into_the_socket(number: int) -> None:
+    result = practiced("insertion", number)
+    assert result.status == "done", result.reason
+    (depth,) = result.measures
+    assert depth["kind"] == "depth"
+    assert depth["value"] == pytest.approx(50.0, abs=0.5)
+
+
+def test_a_peg_that_stands_elsewhere_is_put_right_by_the_look_in_the_hand() -> None:
+    noise = PlaceNoise(0.001, 1.0, seed=1)
+    blind, seeing = BulletArm(noise=noise), BulletArm(sensor=InHandSensor(), noise=noise)
+    assert practiced("insertion", 1, blind).status == "missed"
+    assert practiced("insertion", 1, seeing).status == "done"

@@ -1,0 +1,43 @@
+"""What tells success where corners and edges do not."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as some
+
+from assistant.geometry import IDENTITY
+from assistant.model.scene import Body
+from sim.bullet_bodies import holed
+from sim.measures import depth
+
+SOCKET = Body("socket", size_mm=(80.0, 70.0, 60.0), hole_mm=(30.0, 20.0, 50.0), mass_kg=0.0)
+
+
+@pytest.mark.parametrize(
+    ("height_mm", "beside_mm", "good"),
+    [(10.0, 0.0, True), (10.9, 0.1, True), (12.0, 0.0, False), (10.0, 16.0, False)],
+)
+def test_an_object_is_in_a_hole_at_its_bottom(
+    height_mm: float, beside_mm: float, good: bool
+) -> None:
+    base = np.array(IDENTITY)
+    base[:3] = beside_mm / 1000.0, 0.0, height_mm / 1000.0
+    found = depth("peg", SOCKET, base)
+    assert found.good is good
+    assert found.value == pytest.approx(60.0 - height_mm)
+
+
+@settings(max_examples=60)
+@given(some.tuples(*[some.floats(-0.5, 0.5)] * 3))
+def test_boxes_around_a_hole_fill_all_but_the_hole(share: tuple[float, float, float]) -> None:
+    point = np.array(share) * np.array(SOCKET.size_mm) / 1000.0
+    halves, middles = holed(SOCKET)
+    filled = any(
+        bool(np.all(np.abs(point - middle) <= np.array(half) + 1e-9))
+        for half, middle in zip(halves, middles, strict=True)
+    )
+    up = point[2] > -0.030 + 0.010 + 1e-9
+    beside = np.abs(point[:2]) < np.array([0.015, 0.010]) - 1e-9
+    assert filled != bool(up and np.all(beside))
