@@ -29,6 +29,7 @@ from assistant.language.asides import (
     is_greeting,
     is_puzzled,
     is_thanks,
+    taught,
 )
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
@@ -52,7 +53,7 @@ def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) ->
     if not name:
         return None
     told = line("told", "nice_to_meet", name=name)
-    opened = after(rest, "naming") or after(rest, "teaching")
+    opened = after(rest, "naming") or taught(rest)
     if opened and _asks(dialogue, "task_name"):
         said = say(dialogue, told)[1]
         return first(said, in_state(dialogue, acts.Inform(opened), replace(words, text=opened)))

@@ -139,7 +139,9 @@ def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
     "the cup should be on the tray" names a cup and a tray.
     """
     phrases = value if isinstance(value, tuple) else _things(str(value))
-    parted = [part for phrase in phrases for part in _parted(phrase, scene)]
+    told = [part for phrase in phrases for part in _parted(phrase, scene)]
+    # A size such as "8 cm wide" is no thing.
+    parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
     names = [known_name(_bare(phrase), scene) for phrase in parted]
     unique = dict.fromkeys(name for name in names if name)
     return tuple(TaskObject(name, role(name, scene)) for name in unique)

@@ -66,8 +66,8 @@ def with_lesson(known: Knowledge, lesson: Lesson) -> Knowledge:
     for station in lesson.stations:
         if station.frame not in places and station.frame:
             xyz, rpy = pose_to_mm_deg(station.frame_to_world)
-            x, y, z = (float(value) for value in xyz)
-            roll, pitch, yaw = (float(value) for value in rpy)
+            x, y, z = (round(float(value), 3) for value in xyz)
+            roll, pitch, yaw = (round(float(value), 3) for value in rpy)
             places[station.frame] = Place("hand", (x, y, z), (roll, pitch, yaw))
     setup = replace(known.setup, places=places)
     return replace(known, lesson=lesson, learned_root=known.root, reviewed=False, setup=setup)

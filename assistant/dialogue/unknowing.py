@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask, proceed, tell
+from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import thing_names
 from assistant.dialogue.replying import in_state
+from assistant.dialogue.sketch import with_parts
 from assistant.dialogue.state import Dialogue, Introducing, Pending
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language import asides
-from assistant.language.hints import hints
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
 
 def unknowing(dialogue: Dialogue, text: str) -> bool:
     """Whether the teacher says not to know what the introduction asks."""
-    return isinstance(dialogue.state, Introducing) and asides.unknowing(text)
+    state = dialogue.state
+    if not isinstance(state, Introducing):
+        return False
+    later = state.asked == "pose" and mentions(text, hints("shown_later"))
+    told = later and re.search(r"\d", text) is None
+    return told or asides.unknowing(text)
 
 
 def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
@@ -29,9 +37,20 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
         return _named_for_now(free)
     if state.asked == "subtask_count" and not state.index and not state.named:
         return _suggested(free, words)
+    if state.asked == "subtask_name":
+        return _unnamed(free, state, words)
+    if state.asked == "pose" and mentions(words.text, hints("all_of_them")):
+        return _all_shown(free)
     if state.asked == "objects" and not state.index:
         return _all_things(free, words)
     return in_state(free, acts.Deny(), words)
+
+
+def _all_shown(dialogue: Dialogue) -> Turn:
+    """Leave the places of all things to the demonstration."""
+    known = dialogue.known
+    left = tuple(one.name for one in known.objects or () if one.name not in known.setup.places)
+    return proceed(changed(dialogue, "pose", replace(known, unplaced=left)))
 
 
 def _all_things(dialogue: Dialogue, words: Words) -> Turn:
@@ -50,6 +69,18 @@ def _named_for_now(dialogue: Dialogue) -> Turn:
     named = replace(known, name=name, root=replace(known.root, name=name))
     told = line("told", "assumed_name", name=name)
     return first(say(dialogue, told)[1], proceed(changed(dialogue, "task_name", named)))
+
+
+def _unnamed(dialogue: Dialogue, state: Introducing, words: Words) -> Turn:
+    """Suggest all steps to who cannot name the first one; else tell what a name may be."""
+    known = dialogue.known
+    if state.index[:-1] or any(part.name for part in known.root.parts):
+        return tell(dialogue, help_line(dialogue))
+    if not suggested_steps(dialogue):
+        return tell(dialogue, help_line(dialogue))
+    uncounted = replace(known, root=with_parts(known.root, ()))
+    asking = replace(dialogue, known=uncounted, state=Introducing("subtask_count"))
+    return _suggested(asking, words)
 
 
 def _suggested(dialogue: Dialogue, words: Words) -> Turn:

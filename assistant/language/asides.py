@@ -23,6 +23,12 @@ def after(text: str, part: str, language: str = "english") -> str:
     return _tidy(found.group(1)) if found else ""
 
 
+def taught(text: str, language: str = "english") -> str:
+    """Return the task in "I would like to show you how to clear the table"; empty if none."""
+    start = after(text, "teaching_starts", language)
+    return after(start, "teaching_verbs", language) if start else ""
+
+
 def is_greeting(text: str, language: str = "english") -> bool:
     """Whether a text greets and says nothing else."""
     return _is_only(text, "greetings", language)

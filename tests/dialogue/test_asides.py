@@ -155,3 +155,23 @@ def test_loading_over_unsaved_work_asks() -> None:
     assert teacher.topics == ["ask.unsaved.other"]
     assert not teacher.did(fx.Load)
     assert teacher.hear(acts.Deny()).did(fx.Load)
+
+
+def test_places_may_be_left_to_the_demonstration() -> None:
+    teacher = newcomer("sorting", "tidy", "cup and tray", "8 by 8 by 10 cm")
+    assert teacher.asked == "pose"
+    teacher.hear(acts.Unknown(), text="I will show you where everything is")
+    assert set(teacher.dialogue.known.unplaced) == {"cup", "tray"}
+    assert teacher.asked == "body"
+
+
+def test_a_size_is_no_thing() -> None:
+    teacher = newcomer("sorting", "tidy", "a cup, 8 cm wide and 10 high")
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["cup"]
+
+
+def test_who_cannot_name_the_first_step_is_helped() -> None:
+    teacher = newcomer("sorting", "tidy", "block and target").tell(2)
+    teacher.hear(acts.Unknown(), text="I don't know")
+    assert teacher.topics == ["confirm.suggested_steps"]
+    assert teacher.hear(acts.Affirm()).asked == "confirm_tree"
