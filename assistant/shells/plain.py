@@ -12,6 +12,7 @@ from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.loop import Session
+from assistant.shells.beside import Beside, Words
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import wrapped
@@ -48,7 +49,14 @@ class PlainShell:
         for one in wrapped(text, self._width, before=NAME):
             self._write(one)
 
-    def run(self, session: Session, lines: Iterable[str], *, live: bool) -> None:
+    def run(
+        self,
+        session: Session,
+        lines: Iterable[str],
+        *,
+        live: bool,
+        beside: Beside | None = None,
+    ) -> None:
         """Hold the conversation until the robot leaves or the input ends.
 
         Parameters
@@ -57,10 +65,14 @@ class PlainShell:
         lines : iterable of str
         live : bool
             The arm moves in real time beside the input; else it rests before each line.
+        beside : Beside, optional
+            What listens beside; the input has ended only when it has heard everything too.
         """
         ticker = Ticker(session, self._fail, self._pace)
         if live:
             ticker.start()
+        if beside is not None:
+            beside.begin(session, lambda words: self._heard(session, ticker, words))
         try:
             for line in lines:
                 session.raw(line)
@@ -70,6 +82,8 @@ class PlainShell:
                     session.rest()
                 if session.left or self._error is not None:
                     break
+            if beside is not None and self._error is None:
+                beside.finish()
         except KeyboardInterrupt:
             with ticker.lock:
                 session.halt(halting.KEY)
@@ -84,6 +98,15 @@ class PlainShell:
         if line and not self._showing.take(session, line):
             session.hear(line)
         self._showing.offer(session)
+
+    def _heard(self, session: Session, ticker: Ticker, words: Words) -> None:
+        with ticker.lock:
+            if session.left:
+                return
+            self._write(f"you: {words.text}")
+            if not self._showing.take(session, words.text):
+                session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
+            self._showing.offer(session)
 
     def _fail(self, error: BaseException) -> None:
         self._error = error

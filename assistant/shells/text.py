@@ -18,20 +18,17 @@ from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.patch_stdout import patch_stdout
 
 from assistant.language.completion import suggestions
+from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.loop import Session
+from assistant.shells.beside import Beside, Words
 from assistant.shells.keys import Driving
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import columns, styled, wrapped
 
-WELCOME = (
-    "Answer in your own words and press Enter. Tab shows what can be said now, the up arrow what "
-    "you said before, Ctrl-C stops the arm at once, 'help' explains, 'quit' leaves."
-)
-KEPT = " Nothing you say is lost."
 STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm": "1"}
 """Colors of a terminal by the robot's acts (ANSI)."""
 NAME, INDENT = "robot: ", "  "
@@ -66,13 +63,24 @@ class TextShell:
         for one in more:
             write(styled(one, style))
 
-    def run(self, session: Session) -> None:
-        """Hold the conversation until the robot leaves or the terminal closes."""
+    def run(self, session: Session, beside: Beside | None = None) -> None:
+        """Hold the conversation until the robot leaves or the terminal closes.
+
+        Parameters
+        ----------
+        session : Session
+        beside : Beside, optional
+            What listens beside the typing.
+        """
         self._session = session
         self._ticker = ticker = Ticker(session, self._fail, self._pace)
-        self._write(WELCOME + ("" if session.journal.trouble else KEPT))
+        words = page("terminal", session.language)
+        kept = "" if session.journal.trouble else f" {words['kept']}"
+        self._write(words["welcome"] + kept)
         prompt = self._prompt(session)
         ticker.start()
+        if beside is not None:
+            beside.begin(session, lambda words: self._heard(session, prompt, words))
         try:
             with patch_stdout(raw=True):
                 while not session.left and self._error is None:
@@ -87,6 +95,8 @@ class TextShell:
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
         text = prompt.prompt("you: ").strip()
+        if session.left:
+            return
         session.raw(text)
         assert self._ticker is not None
         with self._ticker.lock:
@@ -119,18 +129,38 @@ class TextShell:
             elif event.current_buffer.text:
                 event.current_buffer.reset()
             else:
-                self._write("(the arm rests; 'quit' or Ctrl-D leaves)")
+                self._write(page("terminal", session.language)["at_rest"])
 
         return keys
 
+    def _heard(self, session: Session, prompt: PromptSession[str], words: Words) -> None:
+        """Take what was heard beside the typing; a half-typed line stays as it is."""
+        assert self._ticker is not None
+        with self._ticker.lock:
+            if session.left:
+                return
+            self._write(f"you: {words.text}")
+            # The keyboard is open already: driving by keys is asked for by typing.
+            by_keys = words.text == "keys"
+            if by_keys or not self._showing.take(session, words.text):
+                session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
+            self._showing.offer(session)
+        app, loop = prompt.app, prompt.app.loop
+        if session.left and loop is not None and app.is_running:
+            loop.call_soon_threadsafe(lambda: app.exit(result=""))
+
     def _drive(self, session: Session) -> None:
         mover, driver = session.mover, session.equipment.driver
+        words = page("terminal", session.language)
         if driver is None:
-            self._write("this arm cannot be driven by keys")
+            self._write(words["no_keys"])
             return
         mover.arrange(mover.scene, mover.setup)
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
+        watching = session.watching
         Driving(session, hand).run()
+        if watching is not None:
+            self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
 
     def _write(self, text: str) -> None:
         for line in wrapped(text, columns(), before=INDENT):

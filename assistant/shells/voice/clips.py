@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Stop, Unknown
-from assistant.shells.voice.endpointing import silero, utterances_in
-from assistant.shells.voice.hearing import Hearing
+from assistant.shells.voice.endpointing import frames_in, silero, utterances_in, utterances_of
+from assistant.shells.voice.hearing import SURE, Hearing, is_unknown
+from assistant.shells.voice.phonemes import distance, phonemes
 from assistant.shells.voice.recognizers import installed
-from assistant.shells.voice.sound import RATE_HZ, Sound
+from assistant.shells.voice.sound import (
+    PIECE_S,
+    RATE_HZ,
+    Sound,
+    length_s,
+    read_sound,
+    sound_pieces,
+)
+
+if TYPE_CHECKING:
+    from assistant.shells.voice.spotter import StopSpotter
 
 ONE_SENTENCE_S = 12.0
+EDGE_S = 0.25
+MOST_UTTERANCES = 40
+LIKE_STOP = 0.5
 LANGUAGES = {"en": "english", "de": "german"}
 
 
@@ -30,6 +46,26 @@ class ClipReader:
 
     def __init__(self, language: str = "en", model_folder: Path | None = None) -> None:
         self._hearing = Hearing(installed(model_folder), LANGUAGES[language])
+        self._spotter: StopSpotter | None = None
+
+    def read_file(self, path: Path, listening: Listening) -> Understanding:
+        """Return what a sound file means; a long one is heard piece by piece.
+
+        Raises
+        ------
+        BadInput
+            If it is no sound.
+        """
+        if length_s(path) <= PIECE_S:
+            return self.read(read_sound(path), listening)
+        told: list[Understanding] = []
+        for one in utterances_of(frames_in(sound_pieces(path)), silero()):
+            meant = self._understand(one.sound, listening)
+            told.append(meant)
+            if len(told) == MOST_UTTERANCES:
+                # Noise for an hour is no sentence, and nobody waits for it.
+                break
+        return _joined(told) if told else Understanding((Unknown(),), 1.0, "")
 
     def read(self, sound: Sound, listening: Listening) -> Understanding:
         """Return what a clip means; a clip without speech means nothing.
@@ -42,25 +78,29 @@ class ClipReader:
             return Understanding((Unknown(),), 1.0, "")
         first, last = spoken[0].speech_from_s, spoken[-1].speech_to_s
         if last - first <= ONE_SENTENCE_S:
-            whole = sound.cut(max(0.0, first - 0.25), last + 0.25)
+            whole = sound.cut(max(0.0, first - EDGE_S), last + EDGE_S)
             return self._understand(whole, listening)
         return _joined([self._understand(one.sound, listening) for one in spoken])
 
     def _understand(self, sound: Sound, listening: Listening) -> Understanding:
         heard = self._hearing.hear(sound.samples, listening)
-        if len(heard.text.split()) <= 2 and spotted_stop(sound):
-            return Understanding((Stop(),), max(heard.understanding.confidence, 0.9), "stop")
-        return heard.understanding
+        if heard.understanding.confidence < SURE or is_unknown(heard.understanding):
+            like_stop = distance(phonemes(heard.text), phonemes("stop")) <= LIKE_STOP
+            if (like_stop or not heard.text) and self._spots(sound):
+                return Understanding((Stop(),), SURE, "stop")
+        return replace(heard.understanding, heard=heard.text)
 
+    def _spots(self, sound: Sound) -> bool:
+        """Whether the spotter, where installed, hears stop in a clip."""
+        if self._spotter is None:
+            if find_spec("livekit") is None:
+                return False
+            from assistant.shells.voice.spotter import StopSpotter
 
-def spotted_stop(sound: Sound) -> bool:
-    """Whether the spotter, where installed, hears stop in a clip."""
-    if find_spec("livekit") is None:
-        return False
-    from assistant.shells.voice.spotter import StopSpotter
-
-    quiet = np.zeros(RATE_HZ // 2, dtype=np.float32)
-    return StopSpotter().hear(np.concatenate([sound.samples, quiet]))
+            self._spotter = StopSpotter()
+        self._spotter.reset()
+        quiet = np.zeros(RATE_HZ // 2, dtype=np.float32)
+        return self._spotter.hear(np.concatenate([sound.samples, quiet]))
 
 
 def _leveled(sound: Sound) -> Sound:

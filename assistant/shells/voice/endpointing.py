@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -134,22 +134,36 @@ class Endpointer:
             self._first += extra
 
 
-def frames_of(sound: Sound) -> Iterator[Samples]:
-    """Yield frames of 512 samples, the last one filled up with silence."""
-    padded = np.pad(sound.samples, (0, -len(sound.samples) % FRAME))
-    yield from padded.reshape(-1, FRAME)
+def frames_in(pieces: Iterable[Sound]) -> Iterator[Samples]:
+    """Yield frames of 512 samples of a sound in pieces, the last one filled up with silence."""
+    rest = np.zeros(0, dtype=np.float32)
+    for piece in pieces:
+        joined = np.concatenate([rest, piece.samples])
+        whole = len(joined) // FRAME * FRAME
+        yield from joined[:whole].reshape(-1, FRAME)
+        rest = joined[whole:]
+    if len(rest):
+        yield np.pad(rest, (0, FRAME - len(rest)))
 
 
 def utterances_in(
     sound: Sound, activity: Activity, settings: EndpointSettings | None = None
 ) -> Iterator[Utterance]:
     """Yield every utterance of a sound, times on the sound's own clock."""
-    endpointer = Endpointer(activity, settings)
-    for frame in frames_of(sound):
-        if ended := endpointer.hear(frame):
-            yield _later(ended, sound.from_s)
-    if ended := endpointer.end():
+    for ended in utterances_of(frames_in((sound,)), activity, settings):
         yield _later(ended, sound.from_s)
+
+
+def utterances_of(
+    frames: Iterable[Samples], activity: Activity, settings: EndpointSettings | None = None
+) -> Iterator[Utterance]:
+    """Yield every utterance of a stream of frames, times counted from its first."""
+    endpointer = Endpointer(activity, settings)
+    for frame in frames:
+        if ended := endpointer.hear(frame):
+            yield ended
+    if last := endpointer.end():
+        yield last
 
 
 def _later(utterance: Utterance, by_s: float) -> Utterance:

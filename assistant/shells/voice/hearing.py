@@ -1,26 +1,72 @@
-"""From sound to acts: recognize, understand, and where that fails compare by sound.
+"""From sound to acts: recognize, understand, weigh the readings, else compare by sound.
 
-Quick recognizers come first; a slower one is asked only if what the quicker one wrote does not
-parse with confidence. Unrelated speech must never act: what neither parses nor sounds like
-something that can be said now is unknown.
+The quickest recognizer comes first; a slower one is asked where the first is not to be trusted
+alone: short utterances, names, and what does not parse. Each reading votes for what it means
+here, so that a likely reading which means nothing counts against a command. Unrelated speech
+must never act, and a wrong act is worse than a question: where readings disagree, the
+confidence falls below what the dialogue acts on, and it asks.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+import numpy as np
+
+from assistant.language.answers import OPEN
 from assistant.language.completion import suggestions
 from assistant.language.understanding import understand
+from assistant.model import teacher_acts as acts
 from assistant.model.listening import Listening, Understanding
-from assistant.model.teacher_acts import Unknown
+from assistant.model.teacher_acts import TeacherAct, Unknown
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.recognizers import Recognizer
-from assistant.shells.voice.sound import Samples
+from assistant.shells.voice.recognizers import Recognized, Recognizer
+from assistant.shells.voice.sound import RATE_HZ, Samples
 
 SURE = 0.85
+ALONE_WORDS = 3
+"""A reading of so many words that parses is believed without a second opinion."""
+QUICK = 0.5
+"""What the quickest recognizer's reading weighs beside those of another."""
+LIKELY_WORDS = 2.0
+"""How much more a reading weighs that is among the phrases expected now."""
+CLEARLY = 1.3
+"""How many times the votes of any other command the one acted on must have."""
+UNKNOWN = 0.5
+"""What readings that mean nothing weigh: the teacher talks to the robot, mostly."""
+FAINT = 0.35
+"""Readings no likelier than this are asked about."""
 NEAR = 0.35
 MARGIN = 0.08
+DOUBT = 0.6
+SHORTEST_S = 1.0
+
+_PLAIN = (
+    acts.AdjustLast,
+    acts.AdjustSpeed,
+    acts.Again,
+    acts.Affirm,
+    acts.Approve,
+    acts.Cue,
+    acts.Deny,
+    acts.GoBack,
+    acts.Gripper,
+    acts.Help,
+    acts.NewSetup,
+    acts.Pause,
+    acts.Quit,
+    acts.Redo,
+    acts.RepeatLine,
+    acts.Resume,
+    acts.Rotate,
+    acts.Show,
+    acts.Start,
+    acts.Stop,
+    acts.Translate,
+    acts.Undo,
+)
+"""Acts without free words in them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,8 +76,9 @@ class Heard:
     Parameters
     ----------
     text : str
-        The words as recognized.
+        The words as recognized; where matched by sound, those they were matched with.
     understanding : Understanding
+        Its confidence counts how surely the words were recognized.
     recognizer : str
         Whose words they are.
     by_sound : bool
@@ -42,6 +89,22 @@ class Heard:
     understanding: Understanding
     recognizer: str = ""
     by_sound: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class _Reading:
+    text: str
+    weight: float
+    meant: Understanding
+    recognizer: str
+
+    @property
+    def acts(self) -> tuple[TeacherAct, ...]:
+        return self.meant.acts
+
+    @property
+    def commands(self) -> bool:
+        return self.meant.confidence >= SURE and not is_unknown(self.meant)
 
 
 class Hearing:
@@ -58,33 +121,96 @@ class Hearing:
         self._recognizers = tuple(recognizers)
         self._language = language
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the recognizers, for telling the teacher."""
+        return tuple(recognizer.name for recognizer in self._recognizers)
+
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
         phrases = suggestions(listening, self._language)
-        heard: list[Heard] = []
+        samples = _long_enough(samples)
+        readings: list[_Reading] = []
         for recognizer in self._recognizers:
-            text = recognizer.recognize(samples, phrases)
-            if not text:
-                continue
-            meant = understand(text, listening, self._language)
-            heard.append(Heard(text, meant, recognizer.name))
-            if meant.confidence >= SURE and not _is_unknown(meant):
-                return heard[-1]
-        return self._by_sound(heard, phrases, listening)
+            found = recognizer.recognize(samples, hot_words(listening, phrases))
+            others = recognizer is not self._recognizers[-1]
+            weight = QUICK if others else 1.0
+            read = [self._read(one, weight, recognizer.name, listening) for one in found]
+            if others and read and _trusted(read[0], listening):
+                return _as_heard(read[0], 1.0)
+            readings += read
+        return _voted(readings, phrases) or self._by_sound(readings, phrases, listening)
+
+    def _read(
+        self, one: Recognized, weight: float, recognizer: str, listening: Listening
+    ) -> _Reading:
+        meant = understand(one.text, listening, self._language)
+        return _Reading(one.text, weight * one.sure, meant, recognizer)
 
     def _by_sound(
-        self, heard: Sequence[Heard], phrases: Sequence[str], listening: Listening
+        self, readings: Sequence[_Reading], phrases: Sequence[str], listening: Listening
     ) -> Heard:
-        for candidate in reversed(heard):
-            phrase, far, margin = nearest(candidate.text, phrases)
-            if far <= NEAR and margin >= MARGIN:
+        most = max((one.weight for one in readings), default=0.0)
+        for reading in sorted(readings, key=lambda one: -one.weight):
+            phrase, far, margin = nearest(reading.text, phrases)
+            if far <= NEAR and margin >= MARGIN and reading.weight >= max(most / 2, FAINT):
                 meant = understand(phrase, listening, self._language)
-                sure = Understanding(meant.acts, meant.confidence * (1.0 - far), phrase)
-                return Heard(candidate.text, sure, candidate.recognizer, by_sound=True)
-        if heard:
-            return max(heard, key=lambda one: one.understanding.confidence)
-        return Heard("", Understanding((Unknown(),), 1.0, ""))
+                sure = replace(meant, confidence=meant.confidence * (1.0 - far))
+                return Heard(phrase, sure, reading.recognizer, by_sound=True)
+        if not readings:
+            return Heard("", Understanding((Unknown(),), 1.0, ""))
+        likeliest = max(readings, key=lambda one: one.weight)
+        if is_unknown(likeliest.meant):
+            return _as_heard(likeliest, 1.0)
+        return _as_heard(likeliest, DOUBT)
 
 
-def _is_unknown(meant: Understanding) -> bool:
+def hot_words(listening: Listening, phrases: Sequence[str]) -> tuple[str, ...]:
+    """Return what the recognizer should expect: the task's names first, then phrases."""
+    names = (listening.task, *listening.objects, *listening.subtasks)
+    return tuple(dict.fromkeys(name for name in (*names, *phrases) if name))[:60]
+
+
+def is_unknown(meant: Understanding) -> bool:
+    """Whether nothing was understood."""
     return any(isinstance(act, Unknown) for act in meant.acts)
+
+
+def _trusted(reading: _Reading, listening: Listening) -> bool:
+    enough = len(reading.text.split()) >= ALONE_WORDS
+    free = any(not isinstance(act, _PLAIN) or getattr(act, "where", None) for act in reading.acts)
+    return reading.commands and enough and not free and listening.asked not in OPEN
+
+
+def _voted(readings: Sequence[_Reading], phrases: Sequence[str]) -> Heard | None:
+    """Return the meaning with most votes if it has enough of them."""
+    votes: dict[tuple[TeacherAct, ...], float] = {}
+    nothing = 0.0
+    for reading in readings:
+        if not reading.commands:
+            nothing += UNKNOWN * reading.weight
+            continue
+        weight = reading.weight * (LIKELY_WORDS if reading.text in phrases else 1.0)
+        votes[reading.acts] = votes.get(reading.acts, 0.0) + weight
+    ranked = sorted(votes, key=lambda one: -votes[one])
+    if not ranked or votes[ranked[0]] < nothing / 2:
+        return None
+    backers = [one for one in readings if one.commands and one.acts == ranked[0]]
+    chosen = max(backers, key=lambda one: one.weight)
+    rival = votes[ranked[1]] if len(ranked) > 1 else 0.0
+    clear = votes[ranked[0]] >= max(nothing, CLEARLY * rival)
+    agreed = len({one.recognizer for one in backers}) > 1
+    heard_well = chosen.recognizer == readings[-1].recognizer and chosen.weight >= FAINT
+    sure = clear and (agreed or heard_well)
+    return _as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def _as_heard(reading: _Reading, most: float) -> Heard:
+    sure = min(reading.meant.confidence, most)
+    return Heard(reading.text, replace(reading.meant, confidence=sure), reading.recognizer)
+
+
+def _long_enough(samples: Samples) -> Samples:
+    # A word alone is heard better with some silence around it.
+    missing = round(SHORTEST_S * RATE_HZ) - len(samples)
+    return samples if missing <= 0 else np.pad(samples, (missing // 2, missing - missing // 2))

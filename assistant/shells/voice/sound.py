@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from math import gcd
 from pathlib import Path
@@ -10,9 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assistant.errors import BadInput
+from assistant.errors import BadInput, Problem
 
 RATE_HZ = 16_000
+PIECE_S = 20
 Samples = NDArray[np.float32]
 
 
@@ -61,24 +63,72 @@ def to_16k_mono(samples: NDArray[Any], rate_hz: int) -> Samples:
 
 
 def read_sound(path: Path) -> Sound:
-    """Read a WAV or FLAC file of any rate and number of channels.
+    """Read a whole WAV or FLAC file of any rate and number of channels.
 
     Raises
     ------
     BadInput
         If the file is not there, is no sound, or holds numbers that are not finite.
     """
+    pieces = [piece.samples for piece in sound_pieces(path)]
+    return Sound(np.concatenate(pieces) if pieces else np.zeros(0, dtype=np.float32))
+
+
+def sound_pieces(path: Path) -> Iterator[Sound]:
+    """Yield a WAV or FLAC file in pieces of some seconds, so that an hour takes no more memory.
+
+    Raises
+    ------
+    BadInput
+        As `read_sound`.
+    """
     import soundfile
 
     if not path.is_file():
         raise BadInput.one(str(path), "no such file", "a WAV or FLAC file")
     try:
-        samples, rate_hz = soundfile.read(path, dtype="float32", always_2d=True)
+        with soundfile.SoundFile(path) as file:
+            yield from _pieces(file, path)
     except (soundfile.SoundFileError, OSError) as error:
         raise BadInput.one(str(path), "this is not a sound file", "a WAV or FLAC file") from error
-    if not np.all(np.isfinite(samples)):
-        raise BadInput.one(str(path), "samples that are not numbers", "finite samples")
-    return Sound(to_16k_mono(samples, rate_hz))
+
+
+def _pieces(file: Any, path: Path) -> Iterator[Sound]:
+    rate_hz = file.samplerate
+    from_s = 0.0
+    margin = np.zeros((0, file.channels), dtype=np.float32)
+    while len(read := file.read(PIECE_S * rate_hz, dtype="float32", always_2d=True)):
+        if not np.all(np.isfinite(read)):
+            raise BadInput.one(str(path), "samples that are not numbers", "finite samples")
+        # Resampled with a margin of what came before, so that a seam is hardly heard.
+        made = to_16k_mono(np.concatenate([margin, read]), rate_hz)
+        piece = made[round(len(margin) * RATE_HZ / rate_hz) :]
+        yield Sound(piece, from_s)
+        from_s += len(piece) / RATE_HZ
+        margin = read[-(rate_hz // 10) :]
+
+
+def check_sounds(paths: Iterable[Path]) -> None:
+    """Raise BadInput with all the files that are missing or are no sound."""
+    problems: list[Problem] = []
+    for path in paths:
+        try:
+            next(sound_pieces(path), None)
+        except BadInput as error:
+            problems += error.problems
+    if problems:
+        raise BadInput(problems)
+
+
+def length_s(path: Path) -> float:
+    """Return how long a sound file is, by its header; 0 if it has none that can be read."""
+    import soundfile
+
+    try:
+        told = soundfile.info(path)
+    except (soundfile.SoundFileError, OSError):
+        return 0.0
+    return float(told.frames / told.samplerate)
 
 
 def write_sound(path: Path, sound: Sound) -> None:
