@@ -6,11 +6,20 @@ from collections.abc import Iterator
 
 from assistant.language.frames import framed
 from assistant.language.located import correction, explained, key_state, located_correction
-from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, bared, texts_of
+from assistant.language.parsing import (
+    ACTING,
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    bared,
+    texts_of,
+    undressed,
+)
 from assistant.language.poses import read_pose
 from assistant.language.sentences import best_sentence
 from assistant.language.words import Words
-from assistant.model.teacher_acts import Explain, KeyState, Save
+from assistant.model.teacher_acts import Explain, KeyState, Save, Stop
 
 
 def clause(words: Words, hearing: Hearing) -> Parse | None:
@@ -25,11 +34,19 @@ def clause(words: Words, hearing: Hearing) -> Parse | None:
                 best = parse
         if best is not None and best.score >= SURE - 0.01:
             return best
-    if best is None or best.score < LIKELY:
-        told = framed(words, hearing)
-        if told is not None and (best is None or told.score > best.score):
-            return told
+    if best is None or best.score < ACTING:
+        others = (framed(words, hearing), _requested(words, hearing))
+        best = max((best, *others), key=lambda parse: parse.score if parse else 0.0)
     return best
+
+
+def _requested(words: Words, hearing: Hearing) -> Parse | None:
+    """Return what a request asks for that is worded as no sentence of the phrasebook is."""
+    for bare in undressed(words, hearing.book):
+        found = max(_readings(bare, hearing), key=lambda parse: parse.score, default=None)
+        if found is not None and found.score >= LIKELY and found.acts != (Stop(),):
+            return Parse(found.acts, LIKELY, "request")
+    return None
 
 
 def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:

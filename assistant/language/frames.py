@@ -7,7 +7,7 @@ the frame stay unexplained and lower the confidence; in acts with names they are
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -17,12 +17,13 @@ from assistant.language.naming import known_name, stem
 from assistant.language.parsing import LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import LANGUAGES, Phrase
 from assistant.language.words import Words, said
-from assistant.model.teacher_acts import ACTS
+from assistant.model.teacher_acts import ACTS, Explain, TeacherAct
 from assistant.plain_yaml import read_file
 
 LONGEST_NAME = 6
 MOST_UNEXPLAINED = 3
 _TRUST = (LIKELY, 0.72, 0.58, 0.42)
+_NAMING = frozenset(("save", "load", "compare", "rename", "add_subtask"))
 Spans = Mapping[str, tuple[tuple[int, int], ...]]
 
 
@@ -109,7 +110,7 @@ def framed(words: Words, hearing: Hearing) -> Parse | None:
     """Return the act whose frame explains a clause best; None if none explains enough."""
     known = frames(hearing.language)
     texts = texts_of(words)
-    if known is None or len(texts) > 40 or set(texts) & hearing.book.chat:
+    if known is None or len(texts) > 40:
         return None
     spans = _spans(texts, known)
     best: tuple[tuple[float, int, int], Parse] | None = None
@@ -155,6 +156,9 @@ def _filled(frame: Frame, words: Words, spans: Spans, hearing: Hearing) -> tuple
     if _places(frame.never, spans) - core:
         return None
     left = set(range(len(words))) - used - blank
+    chat = [at for at in left if words[at].text in hearing.book.chat]
+    if chat and frame.act not in _NAMING:
+        return None
     explained = len(used - blank)
     if frame.names:
         parse = _named(frame, words, used, blank, spans, hearing)
@@ -162,7 +166,7 @@ def _filled(frame: Frame, words: Words, spans: Spans, hearing: Hearing) -> tuple
     if len(left) > MOST_UNEXPLAINED or len(left) > 2 * explained:
         return None
     slots: dict[str, Any] = {key: _value(value) for key, value in frame.slots.items()}
-    return Parse((ACTS[frame.act](**slots),), _TRUST[len(left)]), explained
+    return Parse((_act(frame, slots),), _TRUST[len(left)], "frame"), explained
 
 
 def _places(names: Iterable[str], spans: Spans) -> set[int]:
@@ -180,6 +184,11 @@ def _core(frame: Frame, spans: Spans) -> set[int] | None:
     return used
 
 
+def _act(frame: Frame, slots: Mapping[str, Any]) -> TeacherAct:
+    kind: Callable[..., TeacherAct] = ACTS[frame.act]
+    return kind(**slots)
+
+
 def _value(told: str) -> Any:
     try:
         return float(told)
@@ -192,14 +201,16 @@ def _named(
 ) -> Parse | None:
     """Return the act with the words no class took as its names."""
     if frame.act == "explain":
-        return Parse((ACTS["explain"](text=said(words)),), LIKELY - 0.02)
+        return Parse((Explain(said(words)),), LIKELY - 0.02, "frame")
     runs = [run for run in _runs(words, used, blank) if run[1] - run[0] <= LONGEST_NAME]
+    asking = _places(("what", "why", "no"), spans)
+    runs = [run for run in runs if not asking & set(range(*run))]
     wanted = frame.names
     if wanted[0][1] == "*":
         if len(runs) != 2:
             return None
         names = tuple(_text(words, run, hearing) for run in runs)
-        return Parse((ACTS[frame.act](**{wanted[0][0]: names}),), _TRUST[0] - 0.02)
+        return Parse((_act(frame, {wanted[0][0]: names}),), _TRUST[0] - 0.02, "frame")
     slots: dict[str, Any] = {k: v for k, v in frame.slots.items() if not v.startswith("{")}
     trust = _TRUST[min(max(len(runs) - len(wanted), 0), len(_TRUST) - 1)] - 0.02
     for slot, lead in sorted(wanted, key=lambda one: one[1] == ""):
@@ -208,7 +219,7 @@ def _named(
             return None
         slots[slot] = _text(words, run, hearing)
         runs.remove(run)
-    return Parse((ACTS[frame.act](**slots),), trust)
+    return Parse((_act(frame, slots),), trust, "frame")
 
 
 def _run_of(
@@ -221,7 +232,7 @@ def _run_of(
         return min(runs, key=lambda run: _distance(run, used), default=None)
     ends = {end for start, end in spans.get(lead, ()) if start in used}
     near = [run for run in runs if any(end <= run[0] <= end + 4 for end in ends)]
-    return near[-1] if near else None
+    return near[0] if near else None
 
 
 def _distance(run: tuple[int, int], used: set[int]) -> float:

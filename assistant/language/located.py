@@ -59,9 +59,10 @@ def correction(texts: Phrase, hearing: Hearing) -> Parse | None:
     reading = read_motion(texts, hearing.book, hearing.names)
     if reading is None or reading.unexplained > 2:
         return None
+    empty = 0.004 * min(5, reading.empty)
     if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in _STATING):
         return None
-    return Parse(reading.acts, explained(reading.unexplained))
+    return Parse(reading.acts, explained(reading.unexplained) - empty, "motion")
 
 
 def explained(unexplained: int) -> float:

@@ -61,6 +61,7 @@ class Reading:
 
     acts: tuple[TeacherAct, ...]
     unexplained: int
+    empty: int = 0
 
 
 def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tuple[Tag, ...]:
@@ -85,6 +86,7 @@ def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tu
             at += len(phrase)
         else:
             kind = "skip" if words[at] in names else "other"
+            kind = "empty" if words[at] in book.empty else kind
             found.append(Tag(kind, None, (words[at],)))
             at += 1
     return tuple(found)
@@ -97,13 +99,17 @@ def read_motion(
     tags = tags_of(words, book, names)
     kinds = [tag.kind for tag in tags]
     unexplained = kinds.count("other")
+    empty = kinds.count("empty")
+    if not _said_motion(kinds) and not any(kind in _PACES for kind in kinds):
+        unexplained += empty
     if any(kind in _PACES or kind == "speed" for kind in kinds):
         paced = _speed(tags, words)
         rest = [tag for tag in tags if tag.kind in _WAYS]
         if paced is None:
             return None
         noun = "speed" in kinds
-        return Reading((paced,), unexplained + sum(t.kind not in _UPDOWN or not noun for t in rest))
+        odd = sum(t.kind not in _UPDOWN or not noun for t in rest)
+        return Reading((paced,), unexplained + odd, empty)
     ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
     if not ways:
         return None
@@ -118,7 +124,7 @@ def read_motion(
     bare = len(tags) > 1 and not _said_motion(kinds) and "skip" in kinds
     if bare and _odd(kinds) and len(groups) > 1:
         return None
-    return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0))
+    return Reading(tuple(acts), unexplained + (1 if bare and _odd(kinds) else 0), empty)
 
 
 _TIMES = frozenset(("times", "as", "twice", "double", "triple", "thrice", "fold", "x", "speed"))

@@ -10,15 +10,16 @@ from assistant.language.words import Word, Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import TeacherAct
 
-SURE, LIKELY, DOUBTFUL, GUESS = 0.96, 0.9, 0.6, 0.4
+SURE, LIKELY, ACTING, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.6, 0.4
 
 
 @dataclass(frozen=True, slots=True)
 class Parse:
-    """Acts with the confidence that they are what was meant."""
+    """Acts with how far their words are explained, and by what: it tells how sure they are."""
 
     acts: tuple[TeacherAct, ...]
     score: float
+    how: str = "sentence"
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,6 +57,22 @@ def bared(words: Words, book: Phrasebook) -> Iterator[Words]:
                 yield words[start:end]
                 if start and words[start - 1].text == "mind" and words[start].text.endswith("ing"):
                     yield (_base(words[start], book), *words[start + 1 : end])
+
+
+def undressed(words: Words, book: Phrasebook) -> Iterator[Words]:
+    """Yield what a request asks for, without the words it is dressed in: "might you be ..."."""
+    asked = set()
+    for at in range(1, len(words)):
+        before = words[at - 1].text
+        if before not in book.polite:
+            return
+        asked |= {before} & book.addressed
+        if asked and words[at].text not in book.polite:
+            yield words[at:]
+        if asked and words[at].text.endswith("ing"):
+            yield (_base(words[at], book), *words[at + 1 :])
+        if asked and words[at].text in ("let", "go", "do", "try"):
+            yield words[at:]
 
 
 def _base(word: Word, book: Phrasebook) -> Word:

@@ -53,6 +53,9 @@ class Phrasebook:
     suggestions: Mapping[str, tuple[str, ...]]
     again: tuple[Phrase, ...]
     real: frozenset[str]
+    empty: frozenset[str]
+    polite: frozenset[str]
+    addressed: frozenset[str]
 
 
 @cache
@@ -70,10 +73,11 @@ def phrasebook(language: str = "english") -> Phrasebook:
     path = Path(__file__).parent / folder / "hears.yaml"
     if not path.exists():
         raise BadInput.one("language", f"{folder} is not understood yet", "english is")
-    return _made(cast("dict[str, Any]", read_file(path)[0].value))
+    classes = cast("dict[str, Any]", read_file(path.with_name("frames.yaml"))[0].value)
+    return _made(cast("dict[str, Any]", read_file(path)[0].value), classes)
 
 
-def _made(book: Mapping[str, Any]) -> Phrasebook:
+def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     numbers = _numbers(book["numbers"])
     readers: dict[str, Reader] = {"n": numbers.number_ends, "nth": numbers.ordinal_ends}
     made: dict[str, Node] = {}
@@ -89,6 +93,8 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
     vocabulary = {word for one in sentences for word in all_words(one.nodes)}
     vocabulary |= {word for phrase in (*motion, *opening, *closing) for word in phrase}
     vocabulary |= {*numbers.ones, *numbers.tens, *numbers.units, *numbers.fractions}
+    told = ",".join([classes["empty"], classes["polite"], *classes["classes"].values()])
+    vocabulary |= _phrase_words(_phrases(told))
     vocabulary |= {*numbers.ordinals, *_phrase_words(numbers.also)}
     return Phrasebook(
         contractions={key: tuple(value.split()) for key, value in _pairs(book["contractions"])},
@@ -112,6 +118,9 @@ def _made(book: Mapping[str, Any]) -> Phrasebook:
         | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
         again=_longest_first(book["again"]),
+        empty=_single(classes["empty"]) - _turning(book),
+        polite=_single(classes["polite"]),
+        addressed=_single(classes["addressed"]),
         real=frozenset(book["real"].split())
         | {word for one in _phrases(book["chat"]) for word in one},
         suggestions={
@@ -193,6 +202,18 @@ def _bare(key: str) -> str:
 def _phrases(text: str) -> list[Phrase]:
     joined = " ".join(text.split())
     return [tuple(phrase.split()) for phrase in joined.split(",") if phrase.strip()]
+
+
+def _turning(book: Mapping[str, Any]) -> set[str]:
+    """Return the words that say when something holds, or take back what was said."""
+    told = [_phrases(book["where"][when]) for when in ("during", "before", "after")]
+    weak = {"at", "in", "for", "as", "once"}
+    taken_back = {"sorry", "mean", "meant", "rather", "actually", "instead", "but", "if"}
+    return {phrase[0] for phrases in told for phrase in phrases} - weak | taken_back
+
+
+def _single(text: str) -> frozenset[str]:
+    return frozenset(phrase[0] for phrase in _phrases(text) if len(phrase) == 1)
 
 
 def _longest_first(text: str) -> tuple[Phrase, ...]:

@@ -92,7 +92,8 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
     if sentence.extra == "text":
         slots["text"] = said(words)
     spoken_of = (text for _, s, e in bound for text in texts_of(words[s:e]))
-    if sentence.act != "unknown" and any(text in hearing.book.chat for text in spoken_of):
+    naming = ("unknown", "save", "load", "compare", "rename", "add_subtask")
+    if sentence.act not in naming and any(text in hearing.book.chat for text in spoken_of):
         return None
     act = _act(sentence, slots)
     return None if act is None else Parse((act,), score)
