@@ -87,7 +87,9 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
     if act.where is not None:
         index = find_whole(dialogue.known, act.where.subtask)
         if index is None:
-            return None
+            # "when you place it" is the step that opens the hand, whatever it is called.
+            meant = _spoken_of(dialogue, act.where.subtask)
+            return Place(meant, act.where.when) if meant else None
         return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
     run = dialogue.run
     leaves = primitives(dialogue.known.task.tree)

@@ -139,6 +139,13 @@ class Jog:
 
 
 @dataclass(frozen=True, slots=True)
+class Home:
+    """Bring the hand back to where a setup has it start, checked like any motion."""
+
+    setup: Setup
+
+
+@dataclass(frozen=True, slots=True)
 class Arrange:
     """Put the things where a setup says; `random` asks the session for a new setup."""
 
@@ -164,6 +171,13 @@ class Load:
 
 
 @dataclass(frozen=True, slots=True)
+class Discard:
+    """Delete a kept task (answered by ``Kept`` with `discarded`)."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class Leave:
     """End the session."""
 
@@ -180,19 +194,23 @@ Effect = (
     | Halt
     | SetHand
     | Jog
+    | Home
     | Arrange
     | Keep
     | Load
+    | Discard
     | Leave
 )
 
 __all__ = [
     "Arrange",
     "Check",
+    "Discard",
     "Effect",
     "EndRecording",
     "GoOn",
     "Halt",
+    "Home",
     "Jog",
     "Keep",
     "Learn",

@@ -120,10 +120,11 @@ class Arranged:
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A task was saved, or could not be, with the reason."""
+    """A task was saved or deleted, or could not be, with the reason."""
 
     name: str
     why_not: str = ""
+    discarded: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -18,6 +18,7 @@ from assistant.dialogue.general import general
 from assistant.dialogue.helping import help_line, misunderstood, patient
 from assistant.dialogue.naming import number_of, text_of
 from assistant.dialogue.replying import in_state, told_steps
+from assistant.dialogue.requests import requested
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -48,6 +49,9 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     beside = aside(dialogue, words, meant)
     if beside is not None:
         return one_question(beside)
+    request = requested(dialogue, words)
+    if request is not None:
+        return one_question(request)
     if unknowing(dialogue, words.text):
         return one_question(unknown_to(dialogue, words))
     steps = told_steps(dialogue, words.text, meant)
@@ -207,6 +211,9 @@ def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Wo
     """Take where the teacher stands; whoever does not say stands as the robot looks."""
     text = words.text if not isinstance(act, acts.Inform) else str(act.value)
     told = matter(text, "facing")
+    if not told and isinstance(act, acts.Inform | acts.Unknown) and not dialogue.misses:
+        again = replace(dialogue, pending=pending, misses=1)
+        return tell(again, help_line(again))
     facing = "facing" if told == "facing" else "own"
     known = replace(dialogue.known, facing="facing" if facing == "facing" else "own")
     standing = changed(dialogue, "facing", known, clean=dialogue.clean)

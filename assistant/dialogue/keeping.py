@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue import introduction
 from assistant.dialogue.asking import ask, introduced, tell
 from assistant.dialogue.correcting import plain_feedback
-from assistant.dialogue.effects import Arrange, Halt, Keep, Leave, Load
+from assistant.dialogue.effects import Arrange, Discard, Halt, Keep, Leave, Load
 from assistant.dialogue.events import Kept, Loaded
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.sketch import from_tree, names
@@ -18,11 +19,15 @@ from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import About
 from assistant.model.task import Task
 
+EXISTS = "exists"
+"""Why a task is not kept where another one, saved elsewhere meanwhile, has its name."""
+
 
 def save(dialogue: Dialogue, name: str | None) -> Turn:
     """Keep the task; ask before another task of that name is overwritten."""
     known = dialogue.known
     wanted = name or dialogue.saved_as or known.name
+    wanted = known_as(dialogue, wanted) or wanted
     if not wanted:
         return tell(dialogue, line("error", "nothing_to_save"))
     if wanted in dialogue.saved and wanted != dialogue.saved_as:
@@ -36,6 +41,11 @@ def save(dialogue: Dialogue, name: str | None) -> Turn:
 
 def kept(dialogue: Dialogue, event: Kept) -> Turn:
     """Tell that the task is saved, or why it is not."""
+    if event.discarded:
+        return _discarded(dialogue, event)
+    if event.why_not == EXISTS:
+        there = tuple(dict.fromkeys((*dialogue.saved, event.name)))
+        return save(replace(dialogue, saved=there, saved_as=""), event.name)
     if event.why_not:
         told = line("error", "not_saved", name=event.name, reason=event.why_not)
         return tell(replace(dialogue, leaving=False, after=("", ""), pending=None), told)
@@ -56,13 +66,40 @@ def _go_after(dialogue: Dialogue) -> Turn:
     return fresh(free) if what == "fresh" else (free, (Load(name),))
 
 
+def _discarded(dialogue: Dialogue, event: Kept) -> Turn:
+    if event.why_not:
+        told = line("error", "not_discarded", name=event.name, reason=event.why_not)
+        return tell(dialogue, told)
+    left = tuple(one for one in dialogue.saved if one != event.name)
+    mine = dialogue.saved_as == event.name
+    after = replace(dialogue, saved=left, saved_as="" if mine else dialogue.saved_as)
+    after = replace(after, unsaved=after.unsaved or mine)
+    return tell(after, line("done", "discarded", name=event.name))
+
+
+def discard_wanted(dialogue: Dialogue, name: str) -> Turn:
+    """Ask before a kept task is deleted."""
+    question = line("confirm", "discard", asked="unsaved", name=name)
+    return ask(replace(dialogue, pending=Pending("unsaved", question, keep_name=name)))
+
+
+def known_as(dialogue: Dialogue, name: str) -> str:
+    """Return the name a task is kept under, capitals and blanks aside; empty if it is not."""
+    plain = _plain(name)
+    return next((one for one in dialogue.saved if plain and _plain(one) == plain), "")
+
+
+def _plain(name: str) -> str:
+    return " ".join(re.findall(r"[^\W_]+", name.lower()))
+
+
 def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Turn:
     """Read a kept task; without a name tell which there are."""
     if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
     if not dialogue.saved:
         return tell(dialogue, line("error", "nothing_saved"))
-    found = [one for one in dialogue.saved if name and one.lower() == name.lower()]
+    found = [one for one in (known_as(dialogue, name or ""),) if one]
     if len(dialogue.saved) == 1 and name is None:
         found = [dialogue.saved[0]]
     if not found:
@@ -159,6 +196,8 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
     pending = dialogue.pending
     if pending is None:
         return None
+    if pending.line.topic == "discard":
+        return _answer_discard(dialogue, pending.keep_name, act)
     free = replace(dialogue, pending=None, leaving=pending.leave, after=pending.after)
     match act:
         case acts.Affirm() | acts.Approve() if pending.keep_name:
@@ -176,6 +215,17 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
         case acts.Deny():
             stays = replace(free, leaving=False, after=("", ""))
             return tell(stays, line("told", "not_saved"))
+        case _:
+            return None
+
+
+def _answer_discard(dialogue: Dialogue, name: str, act: acts.TeacherAct) -> Turn | None:
+    free = replace(dialogue, pending=None)
+    match act:
+        case acts.Affirm() | acts.Approve():
+            return free, (Discard(name),)
+        case acts.Deny():
+            return tell(free, line("told", "as_it_was"))
         case _:
             return None
 

@@ -29,7 +29,7 @@ from assistant.dialogue.events import (
 )
 from assistant.dialogue.hearing import hear
 from assistant.dialogue.introduction import need
-from assistant.dialogue.keeping import kept, loaded, resumed, taken_up
+from assistant.dialogue.keeping import kept, known_as, loaded, resumed, taken_up
 from assistant.dialogue.naming import thing_names
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
@@ -99,16 +99,18 @@ def _answer(dialogue: Dialogue, event: Event) -> Turn:
 def _begun(dialogue: Dialogue, event: Begun) -> Turn:
     """Greet, and begin with the introduction or go on with a task that was given."""
     known = Knowledge(scene=event.scene, setup=event.setup)
-    open_dialogue = replace(dialogue, known=known, saved=event.saved)
+    # Kept tasks come by their files' names.
+    saved = tuple(name.replace("_", " ") for name in event.saved)
+    open_dialogue = replace(dialogue, known=known, saved=saved)
     if event.task is None:
         things = thing_names(known.scene, known.setup)
         topic = "first" if not event.saved else "again"
-        greeting = line("greet", topic, names=list(event.saved), things=things)
+        greeting = line("greet", topic, names=list(saved), things=things)
         asking = replace(open_dialogue, state=need(known) or Introducing("task_name"))
         return first(say(asking, greeting)[1], ask(asking))
     known = taken_up(known, event.task)
     greeting = line("greet", "with_task", about=About(known.name), task=known.name)
-    saved_as = known.name if known.name in event.saved else ""
+    saved_as = known_as(open_dialogue, known.name)
     taught = replace(open_dialogue, known=known, saved_as=saved_as)
     return first(say(taught, greeting)[1], resumed(taught))
 

@@ -44,6 +44,8 @@ def checked(dialogue: Dialogue, event: Checked) -> Turn:
         return dialogue, ()
     if run.purpose == "look":
         return ask(replace(dialogue, state=Ready(), arm="rest"))
+    if run.purpose == "dry":
+        return _told_dry(dialogue, event)
     known = dialogue.known
     moving = replace(
         dialogue,
@@ -59,6 +61,15 @@ def checked(dialogue: Dialogue, event: Checked) -> Turn:
     if slow and not run.anew:
         told.insert(0, line("report", "starting_slow", about=About(known.name), speed=speed))
     return then(say(moving, *told), effect)
+
+
+def _told_dry(dialogue: Dialogue, event: Checked) -> Turn:
+    """Tell what a run would be like; nothing has moved."""
+    steps = [leaf.name for leaf in primitives(dialogue.known.task.tree)]
+    told = line(
+        "told", "dry_run", names=steps, duration_s=round(event.duration_s, 1), note=event.note
+    )
+    return tell(replace(dialogue, state=Ready(), arm="rest", refusal=None), told)
 
 
 def refused(dialogue: Dialogue, refusal: Refusal) -> Turn:

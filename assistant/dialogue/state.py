@@ -188,8 +188,8 @@ class Run:
 
     Parameters
     ----------
-    purpose : {"practice", "replay", "look"}
-        ``look`` only checks.
+    purpose : {"practice", "replay", "look", "dry"}
+        ``look`` only checks, ``dry`` tells what it found.
     anew : bool
         Goes on from where the arm was halted.
     checked : bool
@@ -203,7 +203,7 @@ class Run:
 
     setup: Setup
     pace: Pace
-    purpose: Literal["practice", "replay", "look"] = "practice"
+    purpose: Literal["practice", "replay", "look", "dry"] = "practice"
     anew: bool = False
     checked: bool = False
     corrected: bool = False
@@ -287,5 +287,5 @@ class Dialogue:
     @property
     def busy(self) -> bool:
         """Whether the arm moves or is about to; a look ahead of a run does not count."""
-        looking = self.run is not None and self.run.purpose == "look"
+        looking = self.run is not None and self.run.purpose in ("look", "dry")
         return self.arm == "moving" or (self.arm == "checking" and not looking)

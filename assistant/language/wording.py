@@ -237,10 +237,16 @@ def _conditions_of(wording: Wording, value: Any) -> str:
 
 def _corrections(wording: Wording, value: Any) -> str:
     told = [
-        wording.words("correction", {**one, "number": at})
+        wording.words("correction", {**one, "number": at, "amount": _amount(wording, one)})
         for at, one in enumerate(value or (), start=1)
     ]
     return "; ".join(told)
+
+
+def _amount(wording: Wording, one: Mapping[str, Any]) -> str:
+    """Return how far a correction goes, in mm, degrees or percent of the speed."""
+    template = wording.book["words"]["amounts"][one["kind"]]
+    return Wording(wording.book, {**one, "percent": one.get("factor")}).fill(template)
 
 
 def _acts(wording: Wording, value: Any) -> str:

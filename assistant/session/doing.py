@@ -39,6 +39,8 @@ def do(session: Session, effect: wanted.Effect) -> None:
             session.happen(kept)
         case wanted.Load():
             session.happen(keeping.load(session.library, effect.name))
+        case wanted.Discard():
+            session.happen(keeping.discard(session.library, effect.name))
         case wanted.Arrange():
             _arrange(session, effect)
         case wanted.Leave():
@@ -55,6 +57,7 @@ def _move(
     | wanted.GoOn
     | wanted.SetHand
     | wanted.Jog
+    | wanted.Home
     | wanted.Halt,
 ) -> None:
     mover = session.mover
@@ -74,6 +77,8 @@ def _move(
             refusal = mover.set_hand(effect.command)
         case wanted.Jog():
             refusal = mover.jog(effect.offset_m, effect.turn_rad)
+        case wanted.Home():
+            refusal = mover.home(effect.setup)
         case wanted.Halt():
             mover.halt(effect.why)
     if refusal is not None:

@@ -114,12 +114,13 @@ def _result(event: events.Event, store: Store) -> dict[str, Any] | None:
         case events.Arranged():
             return {"arranged": _arranged(event.scene, event.setup, store)}
         case events.Kept():
-            return {"kept": _without_blanks({"name": event.name, "why_not": event.why_not})}
-        case events.Loaded():
             told = {"name": event.name, "why_not": event.why_not}
+            return {"kept": _without_blanks({**told, "discarded": event.discarded or None})}
+        case events.Loaded():
+            loaded: dict[str, Any] = {"name": event.name, "why_not": event.why_not}
             if event.task is not None:
-                told["task"] = store.task(event.task)
-            return {"loaded": _without_blanks(told)}
+                loaded["task"] = store.task(event.task)
+            return {"loaded": _without_blanks(loaded)}
         case events.Ticked() | events.Heard():
             return None
         case _:
@@ -231,6 +232,8 @@ _READERS: Mapping[str, Callable[[Any, Path], events.Event]] = {
     "arranged": lambda told, folder: events.Arranged(
         _setup(told, folder), read_scene(folder / told["scene"])
     ),
-    "kept": lambda told, folder: events.Kept(told["name"], told.get("why_not", "")),
+    "kept": lambda told, folder: events.Kept(
+        told["name"], told.get("why_not", ""), bool(told.get("discarded"))
+    ),
     "loaded": _read_loaded,
 }

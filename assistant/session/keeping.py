@@ -22,6 +22,15 @@ def keep(library: Library, task: Task, name: str, *, overwrite: bool) -> Kept:
     return Kept(name)
 
 
+def discard(library: Library, name: str) -> Kept:
+    """Delete a kept task."""
+    try:
+        library.delete(name)
+    except BadInput as error:
+        return Kept(name, str(error.problems[0]), discarded=True)
+    return Kept(name, discarded=True)
+
+
 def load(library: Library, name: str) -> Loaded:
     """Read a kept task."""
     if name not in library:

@@ -159,6 +159,10 @@ class Mover:
         """Move the hand by a small step."""
         return self._aside(paths.step_by(self.look, offset_m, turn_rad))
 
+    def home(self, setup: Setup) -> Refusal | None:
+        """Bring the hand back to where a setup has it start; what it holds stays in it."""
+        return self._aside(paths.straight_to(self.look, setup.robot_start.pose))
+
     def tick(self) -> tuple[ArmReport, ...]:
         """Advance by one control period; nothing passes while an announcement is made."""
         if not self.moving or self._waiting:

@@ -167,6 +167,11 @@ def step_by(look: ArmLook, offset_m: tuple[float, ...], turn_rad: tuple[float, .
             quat_multiply(quat_from_rotvec(np.asarray(turn_rad)), look.hand[3:]),
         ]
     )
+    return straight_to(look, goal)
+
+
+def straight_to(look: ArmLook, goal: Array) -> HandPath:
+    """Return a straight path of the hand to a pose, shape (7,), the hand as open as it is."""
     path = _straight(look.hand, goal)
     count = len(path)
     return HandPath(

@@ -24,6 +24,7 @@ ANSWERS: dict[type, type] = {
     wanted.Check: events.Checked,
     wanted.Keep: events.Kept,
     wanted.Load: events.Loaded,
+    wanted.Discard: events.Kept,
     wanted.EndRecording: events.Shown,
     wanted.Arrange: events.Arranged,
 }

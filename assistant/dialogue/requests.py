@@ -1,0 +1,111 @@
+"""Requests known by their words: a look ahead, the way home, things swapped, a kept task."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask, begin_run, places, tell
+from assistant.dialogue.effects import Arrange, Home
+from assistant.dialogue.keeping import discard_wanted, known_as, load
+from assistant.dialogue.state import (
+    Dialogue,
+    Knowledge,
+    Pending,
+    Ran,
+    Ready,
+    Running,
+)
+from assistant.dialogue.taking_back import numbered
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then
+from assistant.geometry import pose_to_mm_deg
+from assistant.language.actions import mentioned_objects
+from assistant.language.asides import after
+from assistant.language.hints import hints, mentions
+from assistant.model.setup import Place
+from assistant.model.teacher_acts import Again
+
+
+def requested(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Do what is asked for in words that mean one thing only; None where they do not."""
+    if dialogue.busy:
+        return None
+    calm = replace(dialogue, misses=0)
+    turn = _kept_task(calm, words)
+    if turn is not None:
+        return turn
+    if not isinstance(dialogue.state, Ready | Running | Ran):
+        return numbered(calm, words)
+    for reply in (numbered, _rewind, _swapped, _look_ahead, _home):
+        turn = reply(calm, words)
+        if turn is not None:
+            return turn
+    return None
+
+
+def _rewind(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Nothing runs backwards: offer to begin anew."""
+    if not after(words.text, "rewind"):
+        return None
+    question = line("confirm", "begin_anew", asked="ready")
+    return ask(replace(dialogue, pending=Pending("ready", question, (Again(),), words.text)))
+
+
+def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Load or delete a kept task that is called by its name."""
+    name = known_as(dialogue, after(words.text, "go_on_with"))
+    if name:
+        return load(dialogue, name)
+    doomed = known_as(dialogue, after(words.text, "delete_task"))
+    return discard_wanted(dialogue, doomed) if doomed else None
+
+
+def _look_ahead(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Check a run and tell it, without moving."""
+    if not mentions(words.text, hints("dry_run")) or dialogue.known.lesson is None:
+        return None
+    checking = begin_run(replace(dialogue, arm="rest"), look=True)[0]
+    run = checking.run and replace(checking.run, purpose="dry")
+    dry = replace(checking, run=run)
+    return dry, begin_run(replace(dialogue, arm="rest"), look=True)[1]
+
+
+def _home(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Bring the hand back to where the arrangement has it start, at rest or after a stop."""
+    if not mentions(words.text, hints("home")):
+        return None
+    if dialogue.arm not in ("rest", "stopped", "paused"):
+        return None
+    over = replace(dialogue, state=Ready(), arm="rest", pending=None)
+    return then(say(over, line("announce", "home")), Home(dialogue.known.setup))
+
+
+def _swapped(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Put two things in each other's place and look whether they can be reached there."""
+    if not mentions(words.text, hints("swap")):
+        return None
+    known = dialogue.known
+    placed = [one for one in known.objects or () if one.name in known.setup.places]
+    told = mentioned_objects(words.text, placed) if len(placed) > 2 else ()
+    names = told[:2] if len(told) > 1 else tuple(one.name for one in placed)
+    if len(names) != 2 or any(name not in known.scene.bodies for name in names):
+        return tell(dialogue, line("error", "swap_which", names=[one.name for one in placed]))
+    setup = replace(known.setup, name="swapped", places=_exchanged(known, names[0], names[1]))
+    after_it = replace(dialogue, state=Ready(), arm="rest", pending=None)
+    moved = changed(after_it, "setup", replace(known, setup=setup), clean=dialogue.clean)
+    said = line("read_back", "setup", setup=setup.name, places=places(moved.known))
+    shown = then(say(moved, said), Arrange(setup, known.scene))
+    return first(shown[1], begin_run(moved, look=True))
+
+
+def _exchanged(known: Knowledge, one: str, other: str) -> dict[str, Place]:
+    """Return the places with two things exchanged; each keeps its own height."""
+    told = known.setup.places
+    lying = {}
+    for name in (one, other):
+        xyz, rpy = pose_to_mm_deg(known.scene.body_pose(name, told[name]))
+        lying[name] = [round(float(value), 3) for value in (*xyz, *rpy)]
+    new = dict(told)
+    for name, its in ((one, lying[other]), (other, lying[one])):
+        turned = (lying[name][3], lying[name][4], its[5])
+        new[name] = Place("body", (its[0], its[1], lying[name][2]), turned)
+    return new

@@ -1,0 +1,134 @@
+"""Requests that are known by their words."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.dialogue import effects as fx
+from assistant.dialogue import events as ev
+from assistant.dialogue.machine import public_view
+from assistant.language.speech import phrase
+from assistant.model import teacher_acts as acts
+from tests.dialogue.teaching import SETUP, Lessons
+
+LAST = "place object on target"
+
+
+def three() -> Lessons:
+    """Return a lesson with three corrections."""
+    teacher = Lessons().ready()
+    teacher.hear(acts.Translate("up"), text="up").hear(
+        acts.Translate("down", "little"), text="lower"
+    )
+    return teacher.hear(acts.Rotate("right"), text="turn right")
+
+
+def words(teacher: Lessons) -> list[str]:
+    view = public_view(teacher.dialogue)
+    return [one["words"] for one in view["feedback"]]  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("undo the second correction", ["up", "turn right"]),
+        ("take correction 1 back", ["lower", "turn right"]),
+        ("forget the last two corrections", ["up"]),
+        ("remove all corrections", []),
+    ],
+)
+def test_corrections_are_taken_back_by_number(text: str, left: list[str]) -> None:
+    teacher = three().hear(acts.Undo(), text=text, sure=0.6)
+    assert teacher.topics[0] == "done.correction_undone"
+    assert words(teacher) == left
+    assert words(teacher.hear(acts.Undo(), text="undo")) == ["up", "lower", "turn right"]
+
+
+def test_one_of_them_is_brought_back_to_its_place() -> None:
+    teacher = three().hear(acts.Undo(), text="take back the second correction")
+    teacher.hear(acts.Redo(), text="bring the second correction back")
+    assert words(teacher) == ["up", "lower", "turn right"]
+
+
+def test_a_number_nobody_gave_is_told() -> None:
+    teacher = three().hear(acts.Undo(), text="undo the fifth correction")
+    assert teacher.topics[0] == "error.no_such_correction"
+    assert len(words(teacher)) == 3
+
+
+def test_corrections_are_listed_with_numbers_and_sizes() -> None:
+    told = three().hear(acts.Show("corrections"))
+    said = phrase(told.lines[0])
+    assert '1. "up": 5 mm' in said
+    assert '3. "turn right": 3 degrees' in said
+
+
+def test_when_you_place_it_is_the_step_that_opens_the_hand() -> None:
+    teacher = Lessons().ready()
+    where = acts.Where("place it", "during")
+    teacher.hear(acts.Translate("up", where=where), text="higher when you place it")
+    view = public_view(teacher.dialogue)["feedback"]
+    assert view[0]["primitive"] == LAST  # type: ignore[index]
+
+
+def test_swapped_things_keep_their_heights_and_are_looked_at() -> None:
+    teacher = Lessons().ready().hear(acts.Unknown(), text="swap them")
+    assert teacher.did(fx.Arrange)
+    assert teacher.did(fx.Check)
+    assert not teacher.did(fx.Move)
+    scene, places = teacher.dialogue.known.scene, teacher.dialogue.known.setup.places
+    for one, other in (("block", "target"), ("target", "block")):
+        now = scene.body_pose(one, places[one])
+        was, there = (scene.body_pose(name, SETUP.places[name]) for name in (one, other))
+        assert now[:2] == pytest.approx(there[:2], abs=1e-5)
+        assert now[2] == pytest.approx(was[2], abs=1e-5)
+
+
+def test_a_dry_run_tells_and_moves_nothing() -> None:
+    teacher = Lessons().ready().hear(acts.Start(), text="dry run", sure=0.8)
+    assert teacher.did(fx.Check)
+    teacher.happen(ev.Checked(SETUP, None, 21.0))
+    assert teacher.topics == ["told.dry_run", "ask.ready_slow"]
+    assert not any(isinstance(one, fx.Move) for one in teacher.every)
+
+
+def test_after_a_stop_the_hand_can_go_home() -> None:
+    teacher = Lessons().ready().moving().hear(acts.Stop(), text="stop")
+    teacher.hear(acts.Unknown(), text="go home")
+    assert teacher.did(fx.Home)
+    assert teacher.hear(acts.Start(), text="go").did(fx.Check)
+
+
+def test_nothing_runs_backwards() -> None:
+    teacher = Lessons().ready()
+    teacher.hear(acts.Translate("backward"), text="go back to when the block was picked up")
+    assert teacher.topics == ["confirm.begin_anew"]
+    assert not words(teacher)
+
+
+def test_going_on_with_a_kept_task_is_no_start() -> None:
+    teacher = Lessons().ready()
+    teacher.happen(ev.Kept("sorting")).hear(acts.Start(), text="continue with Sorting")
+    assert teacher.did(fx.Load)
+    assert not teacher.did(fx.Check)
+
+
+def test_a_kept_task_is_deleted_after_a_question() -> None:
+    teacher = Lessons().open(saved=("put_away",)).hear(acts.Unknown(), text="delete put away")
+    assert teacher.topics == ["confirm.discard"]
+    assert not teacher.did(fx.Discard)
+    assert teacher.hear(acts.Affirm()).did(fx.Discard)
+    teacher.happen(ev.Kept("put away", discarded=True))
+    assert teacher.dialogue.saved == ()
+
+
+def test_a_name_kept_by_its_file_is_the_same_name() -> None:
+    teacher = Lessons().open(saved=("pick_and_place",))
+    teacher.tell("Pick and place").hear(acts.Save())
+    assert teacher.topics == ["confirm.overwrite"]
+
+
+def test_who_says_something_else_than_where_they_stand_is_asked_once_more() -> None:
+    teacher = Lessons().ready().hear(acts.Translate("left"), text="left")
+    assert teacher.tell("slower").topics == ["help.facing", "ask.facing"]
+    assert teacher.tell("beside you").topics[0] == "told.facing_own"
