@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.templates import Bound, Node, matches
 from assistant.language.words import Word, Words, said
+from assistant.language.wrappings import NAMES, loosened
 from assistant.model.teacher_acts import Asked, Inform
 
 LISTS: frozenset[Asked] = frozenset(("objects", "actions"))
@@ -25,7 +26,7 @@ OPEN: frozenset[Asked] = frozenset(
     )
 )
 _ARTICLES = frozenset(("a", "an", "the"))
-_KEEP_ARTICLE: frozenset[Asked] = frozenset(("task_name", "goal", "subtask_name", "body", "facing"))
+_KEEP_ARTICLE: frozenset[Asked] = frozenset(("task_name", "goal", "subtask_name", "facing"))
 
 
 def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
@@ -34,6 +35,8 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     if asked == "subtask_count":
         return _count(bare or words, book)
     core = _unwrapped(bare, asked, book)
+    if core == bare or asked in NAMES:
+        core = trimmed(loosened(core, asked, book), book)
     if not core:
         return None
     if asked in LISTS:
@@ -97,14 +100,11 @@ def _common(asked: Asked, book: Phrasebook) -> tuple[tuple[Node, ...], ...]:
 
 def _count(words: Words, book: Phrasebook) -> Inform | None:
     texts = _texts(words)
-    numbers = book.numbers
-    for at in range(len(texts)):
-        found = numbers.number(texts, at)
-        if found is not None and texts[at] not in ("first", "once", "second", "third"):
-            if found[0] == 1 and _is_none(texts, book):
-                return Inform(0)
-            if found[0] == int(found[0]) and 0 <= found[0] < 1000:
-                return Inform(int(found[0]))
+    counts = list(_counts(texts, book))
+    if counts:
+        # "the one and the other one, that makes five steps": what is counted stands behind.
+        value = max(counts, key=lambda one: (one[1], one[0] != 1, one[2]))[0]
+        return Inform(0 if value == 1 and _is_none(texts, book) else value)
     if _is_none(texts, book):
         return Inform(0)
     if any(text in ("pair", "couple", "both", "double") for text in texts):
@@ -112,6 +112,23 @@ def _count(words: Words, book: Phrasebook) -> Inform | None:
     if "dozen" in texts:
         return Inform(12)
     return Inform(1) if texts and texts[0] in ("one", "single", "just") else None
+
+
+def _counts(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, bool, int]]:
+    """Yield whole numbers with whether steps are counted by them, and how early they are."""
+    at = 0
+    while at < len(texts):
+        found = book.numbers.number(texts, at)
+        if found is None or texts[at] in ("first", "once", "second", "third"):
+            at += 1
+            continue
+        if found[0] == int(found[0]) and 0 <= found[0] < 1000:
+            behind = texts[found[1] : found[1] + 2]
+            yield int(found[0]), any(text.rstrip("s") in _COUNTED for text in behind), -at
+        at = found[1]
+
+
+_COUNTED = frozenset(("step", "part", "subtask", "stage", "phase", "action", "piece", "thing"))
 
 
 def _is_none(texts: Sequence[str], book: Phrasebook) -> bool:

@@ -2,22 +2,30 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from assistant.language.clauses import clause
 from assistant.language.located import correction
 from assistant.language.motion import tags_of
-from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, texts_of
+from assistant.language.parsing import ACTING, LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import (
     AdjustLast,
     AdjustSpeed,
+    Affirm,
     Again,
+    Deny,
     Gripper,
     Rotate,
     Stop,
+    TeacherAct,
     Translate,
+    Unknown,
 )
 
 _CORRECTIONS = (Translate, Rotate, AdjustSpeed, Gripper, AdjustLast)
+_IDLE = (Unknown, Affirm, Deny)
+_PARTING = frozenset(("and", "but", "so", "because", "then"))
 _JOINTS = frozenset(("and", "then", "but", "also", "plus"))
 _GROUPS = {
     "way": frozenset(
@@ -56,17 +64,28 @@ def compound(words: Words, hearing: Hearing) -> Parse | None:
 
 
 def _partly(words: Words, hearing: Hearing) -> Parse | None:
-    """Return what the last clause asks if the first means nothing here, as a guess."""
-    if set(texts_of(words)) & hearing.book.chat:
+    """Return what some stretches ask if the others mean nothing here, as a guess."""
+    cuts = [at for at in range(1, len(words)) if words[at].broken or words[at].text in _PARTING]
+    if not cuts or set(texts_of(words)) & hearing.book.chat:
         return None
-    for at in range(1, len(words)):
-        if not words[at].broken:
-            continue
-        parse = clause(words[at:], hearing)
-        understood = parse is not None and parse.score >= LIKELY
-        if parse is not None and understood and isinstance(parse.acts[0], _CORRECTIONS):
-            return Parse(parse.acts, 0.7)
-    return None
+    found: list[TeacherAct] = []
+    missed = 0
+    for start, end in pairwise((0, *cuts, len(words))):
+        part = words[start + (words[start].text in _PARTING) : end]
+        parse = clause(part, hearing) if part else None
+        if parse is not None and parse.score >= ACTING and not isinstance(parse.acts[0], _IDLE):
+            found.extend(parse.acts)
+        missed += parse is None or parse.score < ACTING
+    acts = tuple(dict.fromkeys(found))
+    if len(acts) > 1 and not all(isinstance(act, _CORRECTIONS) for act in acts):
+        acts = acts[-1:]
+    if not acts or (missed > 3 and not _asked_for(words)):
+        return None
+    return Parse(acts, 0.75 if missed else 0.86, "partly")
+
+
+def _asked_for(words: Words) -> bool:
+    return any(word.text in ("please", "you", "could", "would") for word in words)
 
 
 def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:

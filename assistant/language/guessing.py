@@ -58,5 +58,11 @@ def guess(words: Words, hearing: Hearing) -> Parse | None:
 
 def asks(words: Words) -> bool:
     """Tell a question or a polite request from an answer."""
+    if words[0].text in ("what", "can", "do", "are", "is", "did", "how") and (
+        len(words) < 2 or (words[0].text == "can" and words[1].broken)
+    ):
+        return len(words) < 2 and words[0].text in ("what", "how")
+    if words[0].text == "what" and words[1].text in ("we", "i", "you"):
+        return False
     polite = words[0].text in ("could", "would", "will", "may", "shall") and len(words) > 1
     return words[0].text in _QUESTIONS or (polite and words[1].text in ("you", "i", "we"))

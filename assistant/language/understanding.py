@@ -37,27 +37,38 @@ from assistant.model.teacher_acts import (
     Approve,
     Asked,
     Assign,
+    BeBrief,
+    BeThorough,
     Cue,
     Deny,
+    Explain,
+    GoBack,
     Gripper,
+    Help,
     Inform,
     KeyState,
+    Load,
     Merge,
     MoveCut,
     Optional,
     Ordered,
     Pause,
+    Quit,
+    Redo,
     RemoveSubtask,
     Rename,
+    RepeatLine,
     Required,
     Rotate,
     Save,
     SetPose,
+    Show,
     Split,
     Start,
     Stop,
     TeacherAct,
     Translate,
+    Undo,
     Unknown,
     Unordered,
 )
@@ -77,6 +88,9 @@ _STRUCTURE = (
     Assign,
     MoveCut,
 )
+_TELLING = frozenset(("i", "he", "she", "they", "my", "his", "her", "we", "did", "have"))
+# What may be said instead of an answer, in words no sentence lists.
+_ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
 _REPAIRED = 0.97
 MOST_WORDS = 60
 
@@ -195,7 +209,7 @@ def _one(parse: Parse, listening: Listening) -> Parse:
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
     unique = tuple(dict.fromkeys(acts))
-    return Parse(unique, parse.score)
+    return Parse(unique, parse.score, parse.how)
 
 
 def _answered(words: Words, hearing: Hearing) -> Parse:
@@ -211,9 +225,12 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
         ):
             return parse
     texts = set(texts_of(words))
-    chatting = (
-        texts & hearing.book.chat and len(words) > 3 and not wrapped(bare, asked, hearing.book)
-    )
+    telling = words[0].text in _TELLING and len(words) > 3
+    chatting = texts & hearing.book.chat and telling and not wrapped(bare, asked, hearing.book)
+    if not wrapped(bare, asked, hearing.book):
+        spelled = trimmed(respelled(words, hearing.book, ()), hearing.book)
+        words = spelled if wrapped(spelled, asked, hearing.book) else words
+        bare = trimmed(words, hearing.book)
     asking = bare and asks(bare) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)
@@ -224,12 +241,16 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
         names = hearing.listening.subtasks
         known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
         found = Inform(known or found.value)
-    return Parse((found,), 0.93 if len(words) <= 14 else 0.8)
+    return Parse((found,), 0.93 if len(words) <= 14 else 0.8, "answer")
 
 
 def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:
     """Tell acts whose words may as well be an answer, such as the name of a step."""
     act = parse.acts[0]
+    if parse.how in ("frame", "request") and (
+        not isinstance(act, _ASIDE) or wrapped(bare, asked, hearing.book)
+    ):
+        return True
     if isinstance(act, Unknown):
         return wrapped(bare, asked, hearing.book)
     if isinstance(act, _STRUCTURE):

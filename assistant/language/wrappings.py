@@ -1,0 +1,85 @@
+"""Answers wrapped in words nobody listed: what is named stands behind an anchor or at an end."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.words import Words
+from assistant.model.teacher_acts import Asked
+
+NAMES: frozenset[Asked] = frozenset(("task_name", "subtask_name", "which", "missing_step", "body"))
+_ARTICLES = frozenset(("a", "an", "the", "some", "one", "another", "my", "your", "our", "two"))
+LONGEST_NAME = 6
+
+
+def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
+    """Return the words an answer is about; all of them if nothing shows which."""
+    if asked in NAMES:
+        return _name(words, book)
+    if asked == "objects":
+        return _bodies(words, book)
+    return words
+
+
+def _name(words: Words, book: Phrasebook) -> Words:
+    """Return what follows the last anchor, or what no wrapping leads up to."""
+    anchored = _after_anchor(words, book.wrapping["anchors"])
+    parts = _parts(anchored)
+    if len(parts) > 1:
+        tailed = [part for part in parts[1:] if _tail(part, book.wrapping["tails"])]
+        wraps = {phrase[0] for phrase in book.wrapping["wraps"]} | {"yes", "no", "right"}
+        aside = len(parts[0]) <= LONGEST_NAME and parts[1][0].text in wraps
+        anchored = parts[0] if tailed or aside else anchored
+    tail = _tail(anchored, book.wrapping["tails"])
+    if 0 < tail < len(anchored):
+        anchored = anchored[:-tail]
+    return _unwrapped(anchored, book)
+
+
+def _after_anchor(words: Words, anchors: Sequence[Phrase]) -> Words:
+    texts = _texts(words)
+    for at in range(len(texts) - 1, 0, -1):
+        for phrase in anchors:
+            if at >= len(phrase) and texts[at - len(phrase) : at] == phrase:
+                return words[at:]
+    return words
+
+
+def _unwrapped(words: Words, book: Phrasebook) -> Words:
+    """Take words of wrapping off the front, articles only where more of it follows."""
+    wraps = {phrase[0] for phrase in book.wrapping["wraps"]}
+    at = 0
+    for n, word in enumerate(words[:-1]):
+        if word.text in wraps:
+            at = n + 1
+        elif word.text not in ("a", "an", "the"):
+            break
+    return words[at:]
+
+
+def _parts(words: Words) -> list[Words]:
+    """Return the stretches between commas and other marks."""
+    breaks = [0, *(at for at in range(1, len(words)) if words[at].broken), len(words)]
+    return [words[a:b] for a, b in zip(breaks, breaks[1:], strict=False)]
+
+
+def _tail(words: Words, tails: Sequence[Phrase]) -> int:
+    texts = _texts(words)
+    return next((len(phrase) for phrase in tails if texts[-len(phrase) :] == phrase), 0)
+
+
+def _bodies(words: Words, book: Phrasebook) -> Words:
+    """Return the things of "what we have got here, you know, is a can and a pot"."""
+    uses = {phrase[0] for phrase in book.wrapping["uses"]}
+    after = {phrase[0] for phrase in book.wrapping["after_items"]}
+    texts = _texts(words)
+    starts = [at for at in range(1, len(texts)) if texts[at] in _ARTICLES and texts[at - 1] in uses]
+    if starts and not any(text in _ARTICLES - {"one"} for text in texts[: starts[0]]):
+        words, texts = words[starts[0] :], texts[starts[0] :]
+    end = next((at for at in range(2, len(texts)) if texts[at] in after), len(texts))
+    return words[:end] if not set(texts[end:]) & _ARTICLES else words
+
+
+def _texts(words: Words) -> Phrase:
+    return tuple(word.text for word in words)
