@@ -1,7 +1,8 @@
 """Driving the hand by keys at a terminal: a newcomer's teleoperation, with the view on.
 
-Every key drives; Enter opens a line to say something ("then", "finished"). What the hand is
-from each thing is shown all the time, so that nobody has to know coordinates.
+Every key drives; Enter opens a line to say something ("then", "finished"). The way to each
+thing is shown all the time, in words and keys, so that nobody has to know coordinates. The
+keys shown can be clicked, the mouse wheel lifts and lowers.
 """
 
 from __future__ import annotations
@@ -9,27 +10,38 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable
+from typing import Any
 
-import numpy as np
 from prompt_toolkit import Application
 from prompt_toolkit.buffer import Buffer
 from prompt_toolkit.filters import Condition
+from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
+from prompt_toolkit.keys import Keys
 from prompt_toolkit.layout import ConditionalContainer, HSplit, Layout, Window
 from prompt_toolkit.layout.controls import BufferControl, FormattedTextControl
 from prompt_toolkit.layout.processors import BeforeInput
+from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
-from assistant.geometry import quat_to_rpy, relative
+from assistant.language.hints import page
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
+from assistant.shells.driving_view import Overhead, gap_line, gaps, key_for, marks
+from assistant.shells.wrapping import columns
 
-HELP = (
-    "  w/s forward, back   a/d left, right   r/f up, down   q/e turn   o/c open, close the hand",
-    '  +/- faster, slower  space: clutch     n: "next step"  Enter: say something, Esc: finished',
-)
-WORDS = {"n": "next step", "1": "first step"}
+CUES = {"n": "next step", "1": "first step"}
 FINISHED = "finished"
-PERIOD_S = 0.02
+ARROWS = {
+    Keys.Up: "w",
+    Keys.Down: "s",
+    Keys.Left: "a",
+    Keys.Right: "d",
+    Keys.PageUp: "r",
+    Keys.PageDown: "f",
+}
+NAMED = {"space": " "}
+WHEEL = {MouseEventType.SCROLL_UP: "r", MouseEventType.SCROLL_DOWN: "f"}
+PERIOD_S, REFRESH_S = 0.02, 0.1
 
 
 class Driving:
@@ -44,10 +56,21 @@ class Driving:
 
     def __init__(self, session: Session, hand: DrivenHand) -> None:
         self._session, self._hand = session, hand
+        self._words: dict[str, Any] = page("terminal", session.language)["driving"]
+        self._facing = session.dialogue_view.get("facing") == "facing"
+        look = session.mover.look
+        near = gaps(look, session.mover.scene)
+        self._overhead = Overhead.around(look, near, facing=self._facing)
         self._typing = False
+        self._told = ""
+        self._error: BaseException | None = None
         self._line = Buffer(multiline=False, accept_handler=self._said)
         self._app: Application[None] = Application(
-            layout=self._layout(), key_bindings=self._keys(), refresh_interval=0.1
+            layout=self._layout(),
+            key_bindings=self._keys(),
+            refresh_interval=REFRESH_S,
+            mouse_support=True,
+            erase_when_done=True,
         )
 
     def run(self) -> None:
@@ -57,25 +80,112 @@ class Driving:
             self._app.run(pre_run=self._begin)
         finally:
             self._session.driven = None
+        if self._error is not None:
+            raise self._error
 
     def _begin(self) -> None:
         self._app.create_background_task(self._pump())
 
     async def _pump(self) -> None:
-        while self._session.watching is not None:
-            began_s = time.monotonic()
-            self._session.see(self._hand.tick())
-            await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
+        try:
+            while self._session.watching is not None and not self._session.left:
+                began_s = time.monotonic()
+                self._session.see(self._hand.tick())
+                await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
+        except Exception as error:
+            self._error = error
         self._app.exit()
 
     def _layout(self) -> Layout:
         typing = Condition(lambda: self._typing)
-        line = Window(BufferControl(self._line, [BeforeInput("say: ")]), height=1)
-        status = Window(FormattedTextControl(self._status), height=len(HELP) + 2)
+        before = BeforeInput(str(self._words["say"]))
+        line = Window(BufferControl(self._line, [before]), height=1)
+        status = Window(
+            FormattedTextControl(self._status), wrap_lines=True, dont_extend_height=True
+        )
         return Layout(HSplit([status, ConditionalContainer(line, typing)]), focused_element=None)
 
-    def _status(self) -> str:
-        return "\n".join((*HELP, *view(self._session, self._hand)))
+    def _status(self) -> StyleAndTextTuples:
+        return [*self._help(), ("", "\n"), *self._view()]
+
+    def _help(self) -> StyleAndTextTuples:
+        """Return the keys with what they do, filled into lines; each can be clicked."""
+        told: StyleAndTextTuples = []
+        width, used = columns() - 1, 0
+        for key, does in self._words["keys"].items():
+            size = len(key) + len(does) + 4
+            if used and used + size > width:
+                told.append(("", "\n"))
+                used = 0
+            used += size
+            told += [
+                ("bold", f" {key}", self._click(key)),
+                ("ansibrightblack", f" {does}  ", self._click(key)),
+            ]
+        return [*told, ("ansibrightblack", f" {self._words['arrows']}")]
+
+    def _click(self, key: str) -> Callable[[MouseEvent], None]:
+        def clicked(event: MouseEvent) -> None:
+            if event.event_type is MouseEventType.MOUSE_UP:
+                self.press(key)
+            elif event.event_type in WHEEL:
+                self.press(WHEEL[event.event_type])
+
+        return clicked
+
+    def _view(self) -> StyleAndTextTuples:
+        session, words = self._session, self._words
+        look = session.mover.look
+        near = gaps(look, session.mover.scene)
+        letters = marks(gap.name for gap in near)
+        told: StyleAndTextTuples = [
+            ("", f"   {line}\n") for line in self._overhead.drawn(look, near)
+        ]
+        for gap in near:
+            way = gap_line(gap, words, facing=self._facing, holding=bool(look.held))
+            told += [("bold", f" {letters[gap.name]} "), ("", f"{way}\n")]
+        doing = (str(words["holding"]).format(name=look.held) if look.held else "", self._told)
+        shown_s = session.watching.now_s if session.watching is not None else 0.0
+        state = (
+            str(words["hand"]).format(mm=round(1000.0 * look.gripper_m)),
+            str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
+            str(words["shown"]).format(seconds=f"{shown_s:.1f}"),
+            *doing,
+        )
+        told.append(("ansicyan", " + " + "   ".join(one for one in state if one)))
+        return [*told, *self._warning()]
+
+    def _warning(self) -> StyleAndTextTuples:
+        state, words = self._hand.state, self._words
+        warning = str(words["clutched"]) if state.clutched else ""
+        if state.blocked:
+            warning = str(words["blocked"]).format(what=state.blocked)
+        return [("ansiyellow", f"\n   {warning}")] if warning else []
+
+    def press(self, key: str) -> None:
+        """Take a key as it is named in the list of keys."""
+        if key == "Enter":
+            self._speak()
+        elif key == "Esc":
+            self._hand.say(FINISHED)
+        elif key in CUES:
+            self._told = str(self._words["said"]).format(words=f'"{CUES[key]}"')
+            self._hand.say(CUES[key])
+        else:
+            self._move(key)
+
+    def _move(self, key: str) -> None:
+        key = key if key in NAMED else key.lower()
+        name = next((name for name, each in NAMED.items() if each == key), key)
+        if self._hand.press(key_for(NAMED.get(key, key), facing=self._facing)):
+            self._told = str(self._words["keys"].get(name, ""))
+        else:
+            shown = key if key.isprintable() else "?"
+            self._told = str(self._words["nothing"]).format(key=shown)
+
+    def _speak(self) -> None:
+        self._typing = True
+        self._app.layout.focus(self._line)
 
     def _keys(self) -> KeyBindings:
         keys = KeyBindings()
@@ -83,53 +193,37 @@ class Driving:
 
         @keys.add("<any>", filter=driving)
         def drive(event: KeyPressEvent) -> None:
-            key = event.data.lower()
-            if key in WORDS:
-                self._hand.say(WORDS[key])
-            else:
-                self._hand.press(key)
+            pressed = event.key_sequence[0].key
+            self.press(ARROWS.get(pressed, event.data) if isinstance(pressed, Keys) else event.data)
 
         @keys.add("enter", filter=driving)
         def speak(event: KeyPressEvent) -> None:
-            self._typing = True
-            event.app.layout.focus(self._line)
+            self._speak()
 
         @keys.add("escape", eager=True)
         def finish(event: KeyPressEvent) -> None:
-            self._hand.say(FINISHED)
+            self._finish_or_go_on()
 
         @keys.add("c-c", eager=True)
         def stop(event: KeyPressEvent) -> None:
             self._hand.release()
+            self._told = str(self._words["halted"])
 
         return keys
 
+    def _finish_or_go_on(self) -> None:
+        """Esc leaves the line if one is being typed, else it ends the demonstration."""
+        if self._typing:
+            self._line.reset()
+            self._typing = False
+        else:
+            self._hand.say(FINISHED)
+
     def _said(self, line: Buffer) -> bool:
         self._typing = False
-        if line.text.strip():
-            self._session.raw(line.text)
-            self._hand.say(line.text.strip())
+        text = line.text.strip()
+        if text:
+            self._session.raw(text)
+            self._hand.say(text)
+            self._told = str(self._words["said"]).format(words=f'"{text}"')
         return False
-
-
-def view(session: Session, hand: DrivenHand) -> tuple[str, str]:
-    """Return two lines that tell where the hand is, seen from every thing, and what it does."""
-    look, state = session.mover.look, hand.state
-    scene, setup = session.mover.scene, session.mover.setup
-    gaps = []
-    for name, place in setup.places.items():
-        x, y, z, *quat = relative(look.hand, scene.hand_pose(name, place))
-        yaw = float(np.rad2deg(quat_to_rpy(np.array(quat))[2]))
-        gaps.append(f"{name}: {_way(x, y, z)}, turn {yaw:+.0f} deg")
-    clutch = "clutch out" if state.clutched else f"speed {state.speed:.2f}"
-    doing = state.blocked and f"blocked: {state.blocked}"
-    return "  " + "   ".join(gaps), f"  {clutch}   hand {1000 * look.gripper_m:.0f} mm   {doing}"
-
-
-def _way(x: float, y: float, z: float) -> str:
-    told: list[tuple[float, Callable[[float], str]]] = [
-        (x, lambda d: "ahead" if d > 0 else "back"),
-        (y, lambda d: "left" if d > 0 else "right"),
-        (z, lambda d: "up" if d > 0 else "down"),
-    ]
-    return " ".join(f"{abs(1000 * gap):.0f} {word(gap)}" for gap, word in told)

@@ -7,17 +7,13 @@ from collections.abc import Callable
 from pathlib import Path
 
 from assistant.errors import AssistantError
+from assistant.language.hints import page
 from assistant.model.transcript import Demonstrate
 from assistant.session.acting import demonstrate
 from assistant.session.loop import Session
 
-OFFER = (
-    "How will you show it? Type one of:",
-    "  keys             drive the hand yourself with the keyboard",
-    "  scripted hand    let a scripted hand show it (scripted hand 7: another one)",
-    "  FILE             a recording (.csv) or demonstration (.yaml)",
-)
-"""What a newcomer needs to know when the robot begins to watch."""
+OFFER = ("offer", "offer_keys", "offer_scripted", "offer_file")
+"""What a newcomer needs to know when the robot begins to watch: keys of ``terminal.yaml``."""
 _SCRIPTED = re.compile(r"(?:the )?script(?:ed)?(?: hand)?(?: (\d+))?", re.IGNORECASE)
 
 
@@ -44,9 +40,10 @@ class Showing:
         if session.watching is None or session.watching is self._offered:
             return
         self._offered = session.watching
+        words = page("terminal", session.language)
         for line in OFFER:
-            if self._keys is not None or not line.strip().startswith("keys"):
-                self._write(line)
+            if self._keys is not None or line != "offer_keys":
+                self._write(words[line])
 
     def take(self, session: Session, line: str) -> bool:
         """Show the task if the line says how; return whether it did."""

@@ -158,6 +158,7 @@ class TextShell:
         mover.arrange(mover.scene, mover.setup)
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         watching = session.watching
+        self._write(words["driving"]["begin"])
         Driving(session, hand).run()
         if watching is not None:
             self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
