@@ -42,6 +42,12 @@ MARGIN = 0.08
 DOUBT = 0.6
 SHORTEST_S = 1.0
 
+SINGLE_WORDS = (
+    "yes", "no", "stop", "left", "right", "up", "down", "forward", "backward", "go", "again",
+    "slower", "faster", "pause", "continue", "undo", "help", "open", "close", "good", "halt",
+)  # fmt: skip
+"""Said alone wherever no name or number is asked for."""
+
 _PLAIN = (
     acts.AdjustLast,
     acts.AdjustSpeed,
@@ -128,7 +134,7 @@ class Hearing:
 
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
-        phrases = suggestions(listening, self._language)
+        phrases = expected(listening, self._language)
         samples = _long_enough(samples)
         readings: list[_Reading] = []
         for recognizer in self._recognizers:
@@ -163,6 +169,13 @@ class Hearing:
         if is_unknown(likeliest.meant):
             return _as_heard(likeliest, 1.0)
         return _as_heard(likeliest, DOUBT)
+
+
+def expected(listening: Listening, language: str) -> tuple[str, ...]:
+    """Return what may well be said now: the phrasebook's suggestions, then single words."""
+    phrases = suggestions(listening, language)
+    alone = () if listening.asked in OPEN or language != "english" else SINGLE_WORDS
+    return tuple(dict.fromkeys((*phrases, *alone)))
 
 
 def hot_words(listening: Listening, phrases: Sequence[str]) -> tuple[str, ...]:

@@ -1,0 +1,107 @@
+"""Readings vote; where they disagree the robot asks; what is chat does nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import Affirm, Inform, Start, Stop, TeacherAct, Translate, Undo
+from assistant.shells.voice.hearing import SURE, Heard, Hearing, expected, hot_words, is_unknown
+from assistant.shells.voice.recognizers import Recognized
+from assistant.shells.voice.sound import Samples
+
+PRACTICE = Listening(stage="practice")
+NAMING = Listening(stage="introduction", asked="subtask_name")
+
+
+class Reads:
+    """A recognizer with given readings."""
+
+    def __init__(self, *readings: tuple[str, float]) -> None:
+        self.name = f"reads {readings}"
+        self.readings = tuple(Recognized(text, sure) for text, sure in readings)
+        self.asked = 0
+
+    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
+        self.asked += 1
+        return self.readings
+
+
+def heard(quick: Reads, slow: Reads, listening: Listening = PRACTICE) -> Heard:
+    return Hearing((quick, slow)).hear(np.zeros(8000, dtype=np.float32), listening)
+
+
+def acted_on(one: Heard) -> tuple[TeacherAct, ...]:
+    sure = one.understanding.confidence >= SURE and not is_unknown(one.understanding)
+    return one.understanding.acts if sure else ()
+
+
+def test_a_whole_sentence_needs_no_second_opinion() -> None:
+    slow = Reads(("something else", 0.9))
+    one = heard(Reads(("move a bit to the left", 1.0)), slow)
+    assert acted_on(one) == (Translate("left", "little"),)
+    assert slow.asked == 0
+
+
+def test_a_name_is_always_heard_twice() -> None:
+    one = heard(Reads(("pick up the log", 1.0)), Reads(("pick up the block", 0.9)), NAMING)
+    assert one.understanding.acts == (Inform("pick up the block"),)
+
+
+@pytest.mark.parametrize(
+    ("quick", "slow", "act"),
+    [
+        ("star", ("stop", 0.95), Stop()),
+        ("yo", ("go", 0.6), Start()),
+        ("and you", ("undo", 0.5), Undo()),
+        ("left", ("left", 0.3), Translate("left")),
+    ],
+)
+def test_a_likelier_reading_that_means_something_wins(
+    quick: str, slow: tuple[str, float], act: TeacherAct
+) -> None:
+    assert acted_on(heard(Reads((quick, 1.0)), Reads(slow))) == (act,)
+
+
+def test_readings_that_disagree_are_asked_about() -> None:
+    one = heard(Reads(("yep", 1.0)), Reads(("go", 0.3), ("show", 0.1)))
+    assert acted_on(one) == ()
+
+
+def test_one_quick_word_alone_is_not_acted_on() -> None:
+    asked = Listening(stage="practice", asked="satisfied")
+    one = heard(Reads(("okay", 1.0)), Reads(("it", 0.27), ("hit it", 0.2)), asked)
+    assert acted_on(one) == ()
+    agreed = heard(Reads(("okay", 1.0)), Reads(("okay", 0.3)), asked)
+    assert acted_on(agreed) == (Affirm(),)
+
+
+@pytest.mark.parametrize(
+    "chat",
+    [
+        "the soup needs more pepper",
+        "did you see the game last night",
+        "he put the car in the garage",
+    ],
+)
+def test_chat_does_nothing(chat: str) -> None:
+    assert is_unknown(heard(Reads((chat, 1.0)), Reads((chat, 0.9))).understanding)
+
+
+def test_nothing_heard_means_nothing() -> None:
+    one = heard(Reads(), Reads())
+    assert one.text == ""
+    assert is_unknown(one.understanding)
+
+
+def test_names_of_the_task_are_expected() -> None:
+    where = Listening(stage="practice", task="stacking", objects=("red block",))
+    assert hot_words(where, expected(where, "english"))[:2] == ("stacking", "red block")
+
+
+def test_no_single_words_where_a_name_is_asked_for() -> None:
+    assert "left" in expected(PRACTICE, "english")
+    assert "left" not in expected(NAMING, "english")
