@@ -13,7 +13,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, cast
 
-from assistant.language.naming import known_name, stem
+from assistant.language.naming import known_name
 from assistant.language.parsing import LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import LANGUAGES, Phrase
 from assistant.language.words import Words, said
@@ -76,7 +76,7 @@ def frames(language: str) -> Frames | None:
     words = set(_list(told["empty"]))
     for name, listed in (("empty", told["empty"]), *told["classes"].items()):
         for phrase in _list(listed):
-            stems = tuple(stem(word) for word in phrase.split())
+            stems = tuple(_stem(word) for word in phrase.split())
             phrases.setdefault(stems[0], []).append((stems, name))
             words |= set(phrase.split())
     return Frames(
@@ -112,7 +112,7 @@ def framed(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     if known is None or len(texts) > 40:
         return None
-    spans = _spans(texts, known)
+    spans = {**_spans(texts, known), **_counted(texts, hearing)}
     best: tuple[tuple[float, int, int], Parse] | None = None
     for frame in known.frames:
         if not _applies(frame, hearing, spans):
@@ -128,13 +128,40 @@ def framed(words: Words, hearing: Hearing) -> Parse | None:
 
 def _spans(texts: Phrase, known: Frames) -> Spans:
     """Return where each class occurs, its longest phrases first."""
-    stems = tuple(stem(text) for text in texts)
+    stems = tuple(_stem(text) for text in texts)
     found: dict[str, list[tuple[int, int]]] = {}
     for at, first in enumerate(stems):
         for phrase, name in known.phrases.get(first, ()):
             if stems[at : at + len(phrase)] == phrase:
                 found.setdefault(name, []).append((at, at + len(phrase)))
-    return {name: tuple(sorted(ones, key=lambda s: s[0] - s[1])) for name, ones in found.items()}
+    dressed = {at for a, b in found.get("empty", ()) if b - a > 1 for at in range(a, b)}
+    for name in found.keys() - {"empty"}:
+        found[name] = [one for one in found[name] if not dressed >= set(range(*one))]
+    return {
+        name: tuple(sorted(ones, key=lambda s: s[0] - s[1])) for name, ones in found.items() if ones
+    }
+
+
+def _stem(word: str) -> str:
+    """Return a word without its ending; words in -ing stay, for they name steps."""
+    found = word.removesuffix("s") if not word.endswith("ss") else word
+    found = found.removesuffix("ed") if len(found) > 4 else found
+    return found.removesuffix("e") if len(found) > 3 else found
+
+
+def _counted(texts: Phrase, hearing: Hearing) -> dict[str, tuple[tuple[int, int], ...]]:
+    """Return where numbers, places in an order and times stand."""
+    numbers = hearing.book.numbers
+    found: dict[str, list[tuple[int, int]]] = {}
+    for at in range(len(texts)):
+        quantity = numbers.quantity(texts, at)
+        if quantity is not None and quantity.kind in ("s", ""):
+            name = "seconds" if quantity.kind == "s" else "number"
+            found.setdefault(name, []).append((at, quantity.end))
+        place = numbers.ordinal(texts, at)
+        if place is not None:
+            found.setdefault("ordinal", []).append((at, place[1]))
+    return {name: tuple(ones) for name, ones in found.items()}
 
 
 def _applies(frame: Frame, hearing: Hearing, spans: Spans) -> bool:
@@ -159,7 +186,7 @@ def _filled(frame: Frame, words: Words, spans: Spans, hearing: Hearing) -> tuple
     chat = [at for at in left if words[at].text in hearing.book.chat]
     if chat and frame.act not in _NAMING:
         return None
-    explained = len(used - blank)
+    explained = len((used - blank) | core)
     if frame.names:
         parse = _named(frame, words, used, blank, spans, hearing)
         return None if parse is None else (parse, explained)
@@ -205,13 +232,15 @@ def _named(
     runs = [run for run in _runs(words, used, blank) if run[1] - run[0] <= LONGEST_NAME]
     asking = _places(("what", "why", "no"), spans)
     runs = [run for run in runs if not asking & set(range(*run))]
-    wanted = frame.names
+    slots: dict[str, Any] = {k: v for k, v in frame.slots.items() if not v.startswith("{")}
+    wanted = tuple(one for one in frame.names if one[1] not in ("seconds", "ordinal", "number"))
+    for slot, kind in set(frame.names) - set(wanted):
+        slots[slot] = _counted_value(kind, texts_of(words), spans[kind][0][0], hearing)
     if wanted[0][1] == "*":
         if len(runs) != 2:
             return None
         names = tuple(_text(words, run, hearing) for run in runs)
         return Parse((_act(frame, {wanted[0][0]: names}),), _TRUST[0] - 0.02, "frame")
-    slots: dict[str, Any] = {k: v for k, v in frame.slots.items() if not v.startswith("{")}
     trust = _TRUST[min(max(len(runs) - len(wanted), 0), len(_TRUST) - 1)] - 0.02
     for slot, lead in sorted(wanted, key=lambda one: one[1] == ""):
         run = _run_of(lead, runs, spans, used)
@@ -220,6 +249,16 @@ def _named(
         slots[slot] = _text(words, run, hearing)
         runs.remove(run)
     return Parse((_act(frame, slots),), trust, "frame")
+
+
+def _counted_value(kind: str, texts: Phrase, at: int, hearing: Hearing) -> float | int:
+    numbers = hearing.book.numbers
+    place = numbers.ordinal(texts, at) if kind == "ordinal" else None
+    if place is not None:
+        return place[0]
+    quantity = numbers.quantity(texts, at)
+    value = quantity.value if quantity else 0.0
+    return value if kind == "seconds" else int(value)
 
 
 def _run_of(

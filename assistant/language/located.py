@@ -184,12 +184,23 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     weak = {"it", "they", "both", "is", "are", "was", "got", "does", "no"}
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
+    concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
+    if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
+        return None
     asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
-    if not concerned or asking or set(texts) & hearing.book.chat or len(texts) < 3:
+    if not concerned or asking or len(texts) < 3:
         return None
     if texts[0] in ("i", "we", "my"):
         return Parse((KeyState(said(words)),), DOUBTFUL)
     return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
+
+
+def _stated_now(texts: Phrase) -> bool:
+    """Tell "the can is gripped now", whatever the can is."""
+    stating = {"is", "are", "has", "have", "sits", "lies", "stands", "hangs", "rests"}
+    at = next((n for n, text in enumerate(texts) if text in stating), 0)
+    talk = {"i", "you", "we", "he", "she", "they", "my", "that", "this", "what", "there", "step"}
+    return 0 < at <= 4 and not set(texts[:at]) & talk and texts[-1] == "now"
 
 
 def _marker(words: Words, markers: Sequence[Phrase]) -> int:

@@ -217,7 +217,8 @@ def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
     pace = next((_PACES[tag.kind] for tag in tags if tag.kind in _PACES), None)
     kinds = [tag.kind for tag in tags]
     if pace is None:
-        pace = _pace_of_noun(kinds)
+        pace, less = _pace_of_noun(kinds), "less" in kinds
+        tags = tuple(tag for tag in tags if tag.kind != "less") if less else tags
     quantity = next((tag.quantity for tag in tags if tag.quantity), None)
     if quantity is not None and quantity.kind == "" and quantity.value >= 1:
         quantity = quantity if _TIMES & set(words) else None
@@ -237,7 +238,7 @@ def _pace_of_noun(kinds: Sequence[str]) -> str | None:
         if kind in ("high", "up", "up-er", "raise", "more"):
             return "faster"
         if kind in ("low", "down", "down-er", "lower", "less"):
-            return "slower" if kind != "less" else "faster"
+            return "slower"
     return None
 
 

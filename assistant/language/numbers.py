@@ -54,6 +54,10 @@ class NumberWords:
         """Return the number with its unit; "half an inch", "a quarter turn", "an inch"."""
         found = self.number(words, at)
         if found is None:
+            bare = self.units.get(words[at]) if at < len(words) and len(words[at]) > 3 else None
+            if bare and bare[0] == "m":
+                whole = self._with_fraction_behind(words, bare, 1.0, at + 1)
+                return whole if whole.end > at + 1 else None
             unit = self.units.get(words[at + 1]) if at + 1 < len(words) else None
             if unit and unit[0] in ("m", "s") and words[at] in self.articles:
                 return self._with_fraction_behind(words, unit, 1.0, at + 2)

@@ -56,6 +56,7 @@ class Phrasebook:
     empty: frozenset[str]
     polite: frozenset[str]
     addressed: frozenset[str]
+    impure: frozenset[str]
     wrapping: Mapping[str, tuple[Phrase, ...]]
 
 
@@ -122,6 +123,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         empty=_single(classes["empty"]) - _turning(book),
         polite=_single(classes["polite"]),
         addressed=_single(classes["addressed"]),
+        impure=_single(classes["impure"]),
         wrapping={name: _longest_first(told) for name, told in classes["answers"].items()},
         real=frozenset(book["real"].split())
         | {word for one in _phrases(book["chat"]) for word in one},

@@ -112,7 +112,16 @@ def _body(
             name = " ".join(without_article(words[start : at + 1]))
             similar = next((one for one in listening.objects if word in one.lower().split()), name)
             return similar, start, at + 1
-    return None
+    return _told_first(words, book) if listening.asked == "pose" else None
+
+
+def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] | None:
+    """Return a body nobody spoke of before: "bolt at 400, 150, 90"."""
+    places = {word for phrase in book.answer_words["pose_at"] for word in phrase}
+    end = next((at for at, word in enumerate(words) if word in places), 0)
+    name = " ".join(without_article(words[:end]))
+    fit = 0 < end <= 4 and not set(words[:end]) & {"it", "this", "that", "i", "you", "we"}
+    return (name, 0, end) if fit and not any(char.isdigit() for char in name) else None
 
 
 def _noun_start(words: Sequence[str], at: int) -> int:

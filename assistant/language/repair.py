@@ -70,7 +70,7 @@ def _strangeness(text: str, word: str, distance: float, letters: list[str]) -> f
 
 
 _TYPOS = {
-    "teh": "the", "hte": "the", "adn": "and", "nad": "and", "yuo": "you", "ahnd": "hand",
+    "teh": "the", "wyh": "why", "hwo": "how", "ened": "end", "ned": "end", "cna": "can", "lod": "load", "ordr": "order", "hte": "the", "adn": "and", "nad": "and", "yuo": "you", "ahnd": "hand",
     "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop", "sto": "stop",
     "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open", "cls": "close",
     "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right", "ok": "ok",

@@ -145,6 +145,8 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     if limit == "known" and not set(texts_of(part)) & _STEPS and not part[0].text.endswith("ing"):
         return said(part), 0.8
     value, trust = _unresolved(part, hearing)
+    if any(w.text in hearing.book.impure for w in part) or any(w.broken for w in part[1:]):
+        trust = 0.8
     return value, min(trust, 0.8) if names else trust
 
 

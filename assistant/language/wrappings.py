@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.words import Words
@@ -61,7 +62,7 @@ def _unwrapped(words: Words, book: Phrasebook) -> Words:
 def _parts(words: Words) -> list[Words]:
     """Return the stretches between commas and other marks."""
     breaks = [0, *(at for at in range(1, len(words)) if words[at].broken), len(words)]
-    return [words[a:b] for a, b in zip(breaks, breaks[1:], strict=False)]
+    return [words[a:b] for a, b in pairwise(breaks)]
 
 
 def _tail(words: Words, tails: Sequence[Phrase]) -> int:
