@@ -24,6 +24,12 @@ from assistant.model.teacher_acts import Explain, KeyState, Save, Stop
 
 def clause(words: Words, hearing: Hearing) -> Parse | None:
     """Return what a clause means as a whole; None if nothing explains it."""
+    if words not in hearing.clauses:
+        hearing.clauses[words] = _clause(words, hearing)
+    return hearing.clauses[words]
+
+
+def _clause(words: Words, hearing: Hearing) -> Parse | None:
     best: Parse | None = None
     for bare in bared(words, hearing.book):
         for parse in _readings(bare, hearing):

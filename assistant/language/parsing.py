@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.words import Word, Words
@@ -24,11 +24,13 @@ class Parse:
 
 @dataclass(frozen=True, slots=True)
 class Hearing:
-    """What understanding a clause needs beside its words."""
+    """What understanding a clause needs beside its words; what was read is kept."""
 
     book: Phrasebook
     listening: Listening
     language: str = "english"
+    clauses: dict[Words, Parse | None] = field(default_factory=dict, compare=False)
+    sentences: dict[Words, Parse | None] = field(default_factory=dict, compare=False)
 
     @property
     def names(self) -> frozenset[str]:

@@ -37,6 +37,12 @@ _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 
 def best_sentence(words: Words, hearing: Hearing) -> Parse | None:
     """Return the act of the phrasebook's best matching sentence."""
+    if words not in hearing.sentences:
+        hearing.sentences[words] = _best_sentence(words, hearing)
+    return hearing.sentences[words]
+
+
+def _best_sentence(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     if not texts:
         return None
