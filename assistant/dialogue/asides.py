@@ -49,7 +49,7 @@ def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) ->
 
 def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
     """Greet a teacher who tells a name; it is not the task's."""
-    name, rest = introduced_person(words.text)
+    name, rest = introduced_person(words.text, sure=not _asks(dialogue, "task_name"))
     if not name:
         return None
     told = line("told", "nice_to_meet", name=name)

@@ -28,7 +28,7 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.dialogue.unknowing import unknowing, unknown_to
-from assistant.language.hints import matter
+from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
 from assistant.model.settings import SafetySettings
@@ -210,9 +210,10 @@ def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Tu
 def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Words) -> Turn:
     """Take where the teacher stands; whoever does not say stands as the robot looks."""
     text = words.text if not isinstance(act, acts.Inform) else str(act.value)
-    told = matter(text, "facing")
-    if not told and isinstance(act, acts.Inform | acts.Unknown) and not dialogue.misses:
-        again = replace(dialogue, pending=pending, misses=1)
+    told = stands(text)
+    if not told and isinstance(act, acts.Inform) and not pending.line.slots.get("twice"):
+        twice = replace(pending, line=line("ask", "facing", asked="facing", twice=True))
+        again = replace(dialogue, pending=twice)
         return tell(again, help_line(again))
     facing = "facing" if told == "facing" else "own"
     known = replace(dialogue.known, facing="facing" if facing == "facing" else "own")

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from assistant.language.actions import role_of
 from assistant.language.hints import hints, phrase_pattern
+from assistant.language.slips import without_slips
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Role, TaskObject
@@ -83,7 +84,7 @@ def _verbs() -> set[str]:
 def listed_steps(text: str, room: int = 2) -> tuple[str, ...]:
     """Return the steps of a text that plainly lists several, each beginning with its verb."""
     steps = steps_in(text, room)
-    plain = all(step.lower().split()[0] in _verbs() for step in steps)
+    plain = all(without_slips(step).lower().split()[0] in _verbs() for step in steps)
     return steps if len(steps) > 1 and plain else ()
 
 
@@ -169,7 +170,7 @@ def known_name(phrase: str, scene: Scene) -> str:
 
     "the red block" is the block of the scene if that is red, or if no other block is there.
     """
-    lowered = phrase.lower()
+    lowered = without_slips(phrase, scene.bodies).lower()
     for name in scene.bodies:
         if name.lower() == lowered:
             return name
@@ -205,7 +206,12 @@ def _things(text: str) -> list[str]:
 
 def _bare(phrase: str) -> str:
     text = tidy_name(phrase)
-    return re.sub(r"^(?:and|the|a|an|my|one|some|this|that)\s+", "", text, flags=re.IGNORECASE)
+    return re.sub(
+        r"^(?:(?:and|the|teh|hte|a|an|my|your|its|one|some|this|that)\s+)+",
+        "",
+        text,
+        flags=re.IGNORECASE,
+    )
 
 
 def _split(text: str, separators: Sequence[str]) -> list[str]:

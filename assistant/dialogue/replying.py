@@ -10,7 +10,15 @@ from assistant.dialogue.answers import ASSUMED_MM, answer, with_body
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.introduction import with_action
-from assistant.dialogue.naming import Value, as_said, is_odd, listed_steps, name_and_steps, text_of
+from assistant.dialogue.naming import (
+    Value,
+    as_said,
+    is_odd,
+    listed_steps,
+    name_and_steps,
+    text_of,
+    tidy,
+)
 from assistant.dialogue.placing import set_pose
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import (
@@ -137,7 +145,12 @@ def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | No
     if state.asked in ("confirm_tree", "pose"):
         return None
     if isinstance(act, acts.Inform):
-        return as_said(act.value, words.text) if isinstance(act.value, str) else act.value
+        if not isinstance(act.value, str):
+            return act.value
+        said = tidy(words.text)
+        # What the hand does is told whole: "let go of it" is not "go of it".
+        whole = said.lower().startswith("let") and said.lower().endswith(act.value.lower())
+        return said if whole else as_said(act.value, words.text)
     if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
         return act.name
     if isinstance(act, acts.Rename):

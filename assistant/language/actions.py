@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from assistant.language.hints import hints, mentions, phrase_pattern
+from assistant.language.slips import without_slips
 from assistant.model.task import Action, TaskObject
 
 
@@ -42,6 +43,7 @@ def read_action(text: str, objects: Sequence[TaskObject], language: str = "engli
     objects : sequence of TaskObject
         Those the task is about; "object" and "target" stand for the only one of their role.
     """
+    text = without_slips(text, [one.name for one in objects], language)
     mentioned = mentioned_objects(text, objects, language)
     plain = _best(text, hints("actions", language))
     guess = _best(text, hints("guesses", language))
@@ -57,7 +59,7 @@ def mentioned_objects(
     text: str, objects: Sequence[TaskObject], language: str = "english"
 ) -> tuple[str, ...]:
     """Return the names of the objects a text mentions, in the order said."""
-    lowered = text.lower()
+    lowered = without_slips(text, [one.name for one in objects], language).lower()
     found: dict[str, int] = {}
     for known in sorted(objects, key=lambda one: -len(one.name)):
         hit = phrase_pattern(known.name.lower()).search(lowered)

@@ -39,17 +39,28 @@ def is_thanks(text: str, language: str = "english") -> bool:
     return _is_only(text, "thanks", language)
 
 
-def introduced_person(text: str, language: str = "english") -> tuple[str, str]:
-    """Return the name of a teacher who tells it, and what else is said; empty if none does."""
+def introduced_person(
+    text: str, language: str = "english", *, sure: bool = False
+) -> tuple[str, str]:
+    """Return the name of a teacher who tells it, and what else is said; empty if none does.
+
+    Parameters
+    ----------
+    text : str
+    language : str
+    sure : bool
+        Take only what can mean nothing else: "my name is Anna", not "I am Anna".
+    """
     rest = after(text, "person", language)
-    sure = bool(rest)
-    rest = rest or after(text, "perhaps_person", language)
+    told = bool(rest)
+    if not rest and not sure:
+        rest = after(text, "perhaps_person", language)
     head, _, tail = _broken(rest, language)
     words = re.findall(r"[^\W\d_][\w'-]*", head)
     if not words or len(words) > LONGEST_NAME:
         return "", ""
     odd = words[0].lower() in hints("no_person", language) or words[0].lower().endswith("ing")
-    if odd or (not sure and len(words) > 1 and not words[0][0].isupper()):
+    if odd or (not told and len(words) > 1 and not words[0][0].isupper()):
         return "", ""
     return " ".join(word[:1].upper() + word[1:] for word in words), _tidy(tail)
 

@@ -12,7 +12,7 @@ from functools import cache, lru_cache
 from rapidfuzz import process
 from rapidfuzz.distance import OSA
 
-from assistant.language.hints import hints
+from assistant.language.hints import hints, matter
 from assistant.language.phrasebook import phrasebook
 
 SHORTEST = 4
@@ -23,6 +23,13 @@ def without_slips(text: str, names: Iterable[str] = (), language: str = "english
     """Return a text whose unknown words are the words of actions and names nearest to them."""
     own = frozenset(word for name in names for word in re.findall(r"[a-z]+", name.lower()))
     return re.sub(r"[A-Za-z]+", lambda found: _nearest(found.group(), own, language), text)
+
+
+def stands(text: str, language: str = "english") -> str:
+    """Return where a teacher stands: ``facing``, ``beside``, or empty if not told."""
+    groups: dict[str, list[str]] = hints("facing", language)
+    words = [word for phrases in groups.values() for phrase in phrases for word in phrase.split()]
+    return matter(without_slips(text, words, language), "facing", language)
 
 
 @cache
