@@ -20,7 +20,7 @@ from sim.bullet_bodies import add_body, add_obstacle, middle_in_base
 from sim.bullet_client import Client
 from sim.bullet_settings import BulletSettings
 from sim.urdf import ARM_JOINTS, FINGER_JOINTS, PAD_LINKS, write_urdf
-from sim.world import CONTROL_S, Allowed, Fault
+from sim.world import CONTROL_S, EASED, Allowed, Fault
 
 OTHER, LINK, FORCE = 2, 3, 9
 """Fields of a contact point: the other body, the own link, the normal force."""
@@ -46,6 +46,7 @@ class BulletWorld:
         self._q = np.array(a465.READY)
         self._finger_m = a465.GRIPPER.open_m / 2
         self._arm = -1
+        self._eased = False
 
     def arrange(self, scene: Scene, bodies: Mapping[str, Array], q: Array) -> None:
         """Put arm and bodies at their places, the hand open."""
@@ -68,6 +69,7 @@ class BulletWorld:
         self._bases = {n: inverse(middle_in_base(scene.bodies[n].size_mm[2])) for n in known}
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
         self._easing = "nothing"
+        self._eased = False
         self._anchor("")
         self.seat(q)
 
@@ -118,6 +120,7 @@ class BulletWorld:
         speed = ((q - begin) / CONTROL_S).tolist()
         force = settings.grip_n * allowed.grip
         self._anchor(allowed.grasped if allowed.grip < 1.0 else "")
+        self._let_go(allowed.grip <= EASED)
         six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
         for k in range(self._steps):
             share = k / self._steps
@@ -161,6 +164,20 @@ class BulletWorld:
             )
         for name, number in self._numbers.items():
             client.changeDynamics(number, -1, frictionAnchor=name != easing)
+
+    def _let_go(self, eased: bool) -> None:
+        """Let the engine forget the pads' contacts once they no longer press.
+
+        What friction once held is kept as it was then, and would be dragged along by pads that
+        leave. Whatever the pads touch is found anew in the next step.
+        """
+        if eased == self._eased:
+            return
+        self._eased = eased
+        for pad in self._pads:
+            # Leaving and entering the groups that may touch drops what is kept of them.
+            for group, mask in ((0, 0), (1, -1)):
+                self._client.setCollisionFilterGroupMask(self._arm, pad, group, mask)
 
     def _fault(self, allowed: Allowed) -> Fault | None:
         client, settings = self._client, self.settings

@@ -11,13 +11,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array
+from assistant.geometry import Array, angle_between
 from sim.a465 import ACCELERATIONS, CONTROL_HZ, SPEEDS
+from sim.kinematics import forward
 
 SMOOTH_S = 0.16
 """Half the width over which the slowing comes and goes."""
 USE_SPEED, USE_ACCELERATION = 0.97, 0.92
 """Shares of the limits that are used; the rest is for the control ticks' grid."""
+TURN_RAD_S = 1.6
+"""The hand turns no faster, wherever it is led: a body in it would slip."""
 ROUNDS = 14
 REST_RAD_S, REST_M_S = 2e-3, 5e-4
 LEAD_S = 0.3
@@ -60,6 +63,7 @@ def timed(u_s: Array, q: Array, hand: Array, hand_speed_m_s: float) -> Timed:
     rest = (speed.max(axis=1) < REST_RAD_S) & (hand_speed < REST_M_S)
     need = np.max(speed / (USE_SPEED * SPEEDS), axis=1)
     need = np.maximum(need, hand_speed / (USE_SPEED * hand_speed_m_s))
+    need = np.maximum(need, _turning(u_s, q) / (USE_SPEED * TURN_RAD_S))
     need = np.maximum(need, np.sqrt(np.max(bend / (USE_ACCELERATION * ACCELERATIONS), axis=1)))
     need = np.maximum(need, 1.0)
     for _ in range(ROUNDS):
@@ -74,6 +78,12 @@ def timed(u_s: Array, q: Array, hand: Array, hand_speed_m_s: float) -> Timed:
 
 def _speed(u_s: Array, hand: Array) -> Array:
     return np.asarray(np.linalg.norm(np.gradient(hand, u_s, axis=0), axis=1))
+
+
+def _turning(u_s: Array, q: Array) -> Array:
+    hand = forward(q)
+    rates = np.asarray(angle_between(hand[1:], hand[:-1])) / np.diff(u_s)
+    return np.maximum(np.append(rates, 0.0), np.insert(rates, 0, 0.0))
 
 
 def _smooth(u_s: Array, need: Array, rest: Array) -> Array:

@@ -11,7 +11,8 @@ path. Names are fixed:
   half the opening; child links ``pad_left``, ``pad_right``): the opening of the gripper is
   the sum of both, and at 0 the pads touch. Left lies on the flange's +y side.
 
-Collision shapes are capsules and boxes of the same figures as in `sim.collision`. Limits of
+Collision shapes are capsules and boxes of the same figures as in `sim.collision`, but for the
+pads, which are rolled a little, see `PAD_ROLL_RAD`. Limits of
 effort are generous: the planner, not the motor, keeps within speeds and accelerations.
 """
 
@@ -27,6 +28,9 @@ ARM_JOINTS = tuple(f"joint_{number}" for number in range(1, a465.JOINTS + 1))
 FINGER_JOINTS = ("finger_left", "finger_right")
 PAD_LINKS = ("pad_left", "pad_right")
 FLANGE_LINK = "flange"
+PAD_ROLL_RAD = 0.12
+"""About the fingers' axis. Where edges of a pad ran along edges of a block, the engine would take
+the two for crossing each other and make up a direction in which they touch."""
 
 Triple = tuple[float, float, float]
 ZERO: Triple = (0.0, 0.0, 0.0)
@@ -88,7 +92,8 @@ def _gripper() -> list[str]:
     reach, thick, tall = GRIPPER.finger_m
     for name, link, side in zip(FINGER_JOINTS, PAD_LINKS, (1.0, -1.0), strict=True):
         middle = (length + reach / 2, side * thick / 2, 0.0)
-        parts.append(_link(link, 0.1, middle, _box(middle, (reach, thick, tall)), GRAY))
+        pad = _box(middle, (reach, thick, tall), (0.0, PAD_ROLL_RAD, 0.0))
+        parts.append(_link(link, 0.1, middle, pad, GRAY))
         parts.append(
             f'<joint name="{name}" type="prismatic"><parent link="{FLANGE_LINK}"/>'
             f'<child link="{link}"/>{_origin(ZERO)}<axis xyz="0 {side:.0f} 0"/>'
@@ -123,9 +128,9 @@ def _cylinder(middle: float, radius: float) -> str:
     return f"{_origin((0.0, 0.0, middle))}<geometry>{size}</geometry>"
 
 
-def _box(middle: Triple, size: Triple) -> str:
+def _box(middle: Triple, size: Triple, rpy: Triple = ZERO) -> str:
     edges = " ".join(f"{edge:.6f}" for edge in size)
-    return f'{_origin(middle)}<geometry><box size="{edges}"/></geometry>'
+    return f'{_origin(middle, rpy)}<geometry><box size="{edges}"/></geometry>'
 
 
 def _origin(xyz: Triple, rpy: Triple = ZERO) -> str:
