@@ -18,6 +18,7 @@ from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, 
 from sim.fine_path import FinePath
 from sim.kinematics import Flags
 from sim.shapes import body_box, boxes_apart
+from sim.touching import push_begin, pushed, pushes
 
 OVERLAP_M = 0.002
 """Told places may overlap by so much: people measure to the millimetre."""
@@ -160,7 +161,8 @@ def _after(
             held_so = in_hand if held else inverse(scene.bodies[stop.object].hand_in_body)
             bodies[stop.object] = compose(hand, held_so)
         return "", in_hand, bodies
-    if not held and stop.object in bodies:
-        pushed = compose(hand, inverse(fine.poses[stop.docking_at]))
-        bodies[stop.object] = compose(pushed, bodies[stop.object])
+    if not held and stop.object in bodies and pushes(stop):
+        before = fine.poses[push_begin(fine.stops, stop)]
+        box = body_box(scene.bodies[stop.object], bodies[stop.object])
+        bodies[stop.object] = pushed(bodies[stop.object], box, before, hand)
     return held, in_hand, bodies

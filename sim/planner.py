@@ -42,6 +42,7 @@ from sim.kinematics import Flags, forward, limit_margin
 from sim.phases import Phase, overlap, phases
 from sim.routes import Stretch, route
 from sim.timing import Timed, timed
+from sim.touching import in_touch
 
 ENOUGH = 1.4
 """A motion that lasts no longer than this share of the path's own time is good enough."""
@@ -83,6 +84,7 @@ class A465Planner:
         """
         if look is None and (refusal := overlap(scene, setup, path.stops)):
             return refusal
+        path = replace(path, stops=in_touch(path.stops))
         fine = joined(refine(path), setup_start(scene, setup) if look is None else look.hand)
         start = None if look is None else np.array(look.q)
         speed = scene.hand_speed_m_s

@@ -8,7 +8,6 @@ looked at and the release corrected, and what happens is reported.
 from __future__ import annotations
 
 import threading
-from dataclasses import replace
 
 import numpy as np
 
@@ -18,9 +17,10 @@ from assistant.model.motion import ArmReport, HandStop, JointPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim import a465, alignment, measures
+from sim import a465, alignment
 from sim.correction import corrected, release_offset
 from sim.kinematics import forward
+from sim.measures import finished
 from sim.playback import Playback, planned_reports
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
@@ -172,7 +172,7 @@ class SimulatedArm:
         if playback.at_station:
             return (*told, *self._act(playback, playback.pending[0]))
         if playback.over:
-            return (*told, self._finish())
+            return (*told, self._finish(playback))
         return tuple(told)
 
     def _ease_early(self, playback: Playback) -> None:
@@ -293,8 +293,8 @@ class SimulatedArm:
         self._playback = None
         return self._report(kind, text, name, target)
 
-    def _finish(self) -> ArmReport:
+    def _finish(self, playback: Playback) -> ArmReport:
         self._playback = None
-        known = (self._scene, self._setup, self._released, self.world.bodies())
-        found, told = alignment.alignments(*known), measures.measured(*known)
-        return replace(self._report("finished"), alignments=found, measures=told)
+        touched = [stop for stop in playback.motion.stops if stop.kind == "touch"]
+        stops, told = [*self._released, *touched], self._report("finished")
+        return finished(told, self._scene, self._setup, stops, self.world.bodies())

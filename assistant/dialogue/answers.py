@@ -9,6 +9,7 @@ from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_act
 from assistant.dialogue.naming import (
     Value,
     alike,
+    is_no_step,
     name_and_steps,
     number_of,
     steps_in,
@@ -126,7 +127,7 @@ def _names(known: Knowledge, state: Introducing, value: Value) -> Answered:
     room = len(parts) - position + 1
     steps = steps_in(value, room)
     before = tuple(part.name for part in parts[: position - 1])
-    if not steps:
+    if not steps or is_no_step(steps[0]):
         return Answered(known, (line("error", "not_an_answer"),))
     if len(steps) > room:
         named = (*before, *steps)
@@ -180,7 +181,7 @@ def _action(known: Knowledge, index: Index, value: Value) -> Answered:
     node = at(known.root, index)
     reading = read_action(text, known.objects or ())
     if reading.action is None:
-        return Answered(with_action(known, index, _free(text, reading.mentioned)))
+        return Answered(with_action(known, index, _free(known, text, reading.mentioned)))
     action = reading.action
     if not reading.mentioned:
         named = read_action(node.name, known.objects or ()).mentioned
@@ -188,8 +189,11 @@ def _action(known: Knowledge, index: Index, value: Value) -> Answered:
     return Answered(with_action(known, index, action))
 
 
-def _free(text: str, mentioned: tuple[str, ...]) -> Action:
-    return Action("free", tidy_name(text), mentioned[0] if mentioned else None)
+def _free(known: Knowledge, text: str, mentioned: tuple[str, ...]) -> Action:
+    # Where it ends is what it is carried to another setup by: "push the box to the line".
+    targets = [thing.name for thing in known.objects or () if thing.role == "target"]
+    told = [name for name in mentioned if name in targets] or list(mentioned)
+    return Action("free", tidy_name(text), told[0] if told else None)
 
 
 def _body(known: Knowledge, thing: str, value: Value) -> Answered:

@@ -25,7 +25,9 @@ def held_stretches(
     previous = 0
     for k, station in enumerate(stations):
         way = travel[station.at] - travel[previous]
-        kept = min(settings.hold_m, settings.most_held * way)
+        pushed = station.kind == "touch" and station.object != station.frame
+        # A body that is pushed follows no sharp bend: all of the way serves to come around.
+        kept = 0.0 if pushed else min(settings.hold_m, settings.most_held * way)
         begin = int(np.searchsorted(travel, travel[station.at] - kept, side="right")) - 1
         begin = max(min(begin, station.docking_at), held[-1][1] + 1)
         end = station.left_at

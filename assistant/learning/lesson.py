@@ -113,7 +113,9 @@ def _learn_one(
     context = Context(demonstration, task, scene, GeneralizationSettings())
     smoothed = smooth(demonstration.recording, SegmentationSettings().smoothing)
     events = gripper_events(demonstration.recording, SignalSettings())
-    seen = visits(task, events, found.episodes) or touches(task, found.episodes)
+    acted = visits(task, events, found.episodes)
+    seen = (*acted, *touches(task, found.episodes, acted))
+    seen = tuple(sorted(seen, key=lambda visit: visit.at_s))
     even = sampled(smoothed, [visit.at_s for visit in seen], context.given)
     step_s = float(even.t_s[1] - even.t_s[0])
     lesson = replace(lesson, jerk_m_s3=shown_jerk(smoothed, step_s))
@@ -175,11 +177,18 @@ def _docked(
     for k, (visit, at) in enumerate(zip(seen, even.acts, strict=True)):
         suggested = _suggested(found, visit, even.shown_s)
         docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
+        if visit.kind == "touch" and _holds(seen[:k]):
+            # What is done there with a thing in the hand keeps its shape from its beginning.
+            docking_at = min(max(suggested, earliest), at)
+        elif visit.kind == "touch":
+            # A place to push from or to is a docking pose itself, with all of the way between.
+            docking_at = at
         ways = _ways(context, visit, path[at], placed[k])
         if visit.kind != "touch":
             path = straightened(path, at, docking_at, ways, earliest, given.settle_m)
         latest = even.acts[k + 1] if k + 1 < len(seen) else len(path) - 1
-        left_at = _left(path[:, :3], at, latest, given.leave_m)
+        pushes = visit.kind == "touch" and k + 1 < len(seen) and seen[k + 1].kind == "touch"
+        left_at = at if pushes else _left(path[:, :3], at, latest, given.leave_m)
         stations.append(
             Station(
                 kind=visit.kind,
@@ -203,6 +212,11 @@ def _suggested(found: Segmentation, visit: Visit, shown_s: Array) -> int:
     own = [part.from_s for part in found.episodes if part.primitive == visit.primitive]
     begin_s = min(own) if own else visit.at_s
     return int(np.searchsorted(shown_s, min(begin_s, visit.at_s)))
+
+
+def _holds(before: Sequence[Visit]) -> bool:
+    acted = [visit for visit in before if visit.kind != "touch"]
+    return bool(acted) and acted[-1].kind == "grasp"
 
 
 def _ways(context: Context, visit: Visit, hand: Array, frame: Array) -> Array:

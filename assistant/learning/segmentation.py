@@ -93,6 +93,9 @@ def _carries(task: Task) -> bool:
     """Tell whether the task needs a hand that closes."""
     leaves = primitives(task.tree)
     hands = {leaf.action.way for leaf in leaves if leaf.action.verb == "hand"}
+    # What is pushed or swept there is done as shown, by a motion without a word of its own.
+    if not hands and any(leaf.action.verb == "free" and leaf.action.object for leaf in leaves):
+        return False
     roles = {known.role for known in task.objects}
     moves = {leaf.action.way for leaf in leaves}
     return "close" in hands or (not hands and roles == {"object", "target"} and "approach" in moves)

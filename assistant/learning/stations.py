@@ -68,15 +68,35 @@ def visits(
     return tuple(found)
 
 
-def touches(task: Task, episodes: Sequence[Episode]) -> tuple[Visit, ...]:
-    """Return the places reached without the gripper: ends of motions to a named thing."""
+def touches(
+    task: Task, episodes: Sequence[Episode], acted: Sequence[Visit] = ()
+) -> tuple[Visit, ...]:
+    """Return the places reached without the gripper: ends of motions to a named thing.
+
+    Parameters
+    ----------
+    task : Task
+    episodes : sequence of Episode
+    acted : sequence of Visit
+        Grasps and releases; beside them only free motions reach places of their own. What is
+        held, or else was touched last, is the object of a free motion at a target.
+    """
     leaves = {leaf.name: leaf for leaf in primitives(task.tree)}
-    found = []
+    found: list[Visit] = []
+    touched = ""
     for episode in episodes:
         leaf = leaves.get(episode.primitive or "")
         name = leaf.action.object if leaf else None
-        if leaf and name and leaf.action.verb == "move":
-            found.append(Visit("touch", episode.to_s, leaf.name, name, name))
+        if leaf is None or not name or leaf.action.verb not in ("move", "free"):
+            continue
+        if leaf.action.way in ("depart", "up"):
+            continue
+        if leaf.action.verb == "free" or not acted:
+            before = [visit for visit in acted if visit.at_s <= episode.from_s]
+            held = before[-1].object if before and before[-1].kind == "grasp" else touched
+            thing = held if held and _role(task, name) == "target" else name
+            found.append(Visit("touch", episode.to_s, leaf.name, thing, name))
+            touched = thing if _role(task, thing) == "object" else touched
     return tuple(found)
 
 

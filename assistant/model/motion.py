@@ -153,7 +153,7 @@ class Measure:
     Parameters
     ----------
     kind : str
-        ``depth`` of an object in a hole.
+        ``depth`` of an object in a hole; ``edge``, how far a pushed object's edge is from a line.
     object, target : str
     value : float
     unit : str
@@ -161,7 +161,7 @@ class Measure:
         Whether that counts as success.
     """
 
-    kind: Literal["depth"]
+    kind: Literal["depth", "edge"]
     object: str
     target: str
     value: float

@@ -135,6 +135,8 @@ def _carry_out(way: _Way, primitive: Primitive) -> None:
         case ("turn", direction) if direction in TURN_AXES:
             turn = quat_from_rotvec(TURN_RAD * np.array(TURN_AXES[direction]))
             way.go(compose(way.hand, np.concatenate([np.zeros(3), turn])), "reach")
+        case ("free", _) if known and known != way.held:
+            _push(way, known)
         case _:
             way.go(way.hand, "rest")
 
@@ -152,6 +154,11 @@ def _approach(way: _Way, name: str) -> None:
     docking = compose(way.grasp_pose(name), _shift(-DOCK_BACK_M, 0.0, 0.0))
     way.go(compose(docking, _shift(*COME_FROM_M)), "pass")
     way.go(docking, "reach")
+
+
+def _push(way: _Way, name: str) -> None:
+    goal = way.scene.hand_pose(name, way.setup.places[name])
+    way.go(goal, "careful", f"the {way.near} is at the {name}")
 
 
 def _close(way: _Way, name: str) -> None:

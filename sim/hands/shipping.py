@@ -39,6 +39,7 @@ SHIPPED = (
     ("stacking", "stacking", 11),
     ("sorting", "sorting", 5),
     ("insertion", "insertion", 3),
+    ("pushing", "pushing", 4),
 )
 """Task, setup and seed of each."""
 LAST_FIRST = ("sorting",)

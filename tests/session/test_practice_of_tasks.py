@@ -74,3 +74,20 @@ def test_a_peg_that_stands_elsewhere_is_put_right_by_the_look_in_the_hand() -> N
     blind, seeing = BulletArm(noise=noise), BulletArm(sensor=InHandSensor(), noise=noise)
     assert practiced("insertion", 1, blind).status == "missed"
     assert practiced("insertion", 1, seeing).status == "done"
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_the_box_is_pushed_to_the_line(number: int) -> None:
+    result = practiced("pushing", number, BulletArm())
+    assert result.status == "done", result.reason
+    (edge,) = result.measures
+    assert edge["kind"] == "edge"
+    assert edge["value"] < 1.0
+    assert not any(report.text == "held" for report in result.reports)
+
+
+def test_a_push_goes_from_the_box_to_the_line() -> None:
+    lesson = learned("pushing").learned
+    assert lesson is not None
+    touched = [(one.kind, one.object, one.frame) for one in lesson.stations]
+    assert touched == [("touch", "box", "box"), ("touch", "box", "line")]

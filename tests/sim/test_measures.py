@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as some
 
-from assistant.geometry import IDENTITY
+from assistant.geometry import IDENTITY, pose_from_mm_deg
 from assistant.model.scene import Body
 from sim.bullet_bodies import holed
-from sim.measures import depth
+from sim.measures import depth, edge
 
 SOCKET = Body("socket", size_mm=(80.0, 70.0, 60.0), hole_mm=(30.0, 20.0, 50.0), mass_kg=0.0)
 
@@ -41,3 +41,26 @@ def test_boxes_around_a_hole_fill_all_but_the_hole(share: tuple[float, float, fl
     up = point[2] > -0.030 + 0.010 + 1e-9
     beside = np.abs(point[:2]) < np.array([0.015, 0.010]) - 1e-9
     assert filled != bool(up and np.all(beside))
+
+
+@pytest.mark.parametrize(
+    ("xyz_mm", "yaw_deg", "off_mm"),
+    [
+        ((-30.0, 100.0, 0.0), 0.0, 0.0),
+        ((30.0, 0.0, 0.0), 0.0, 0.0),
+        ((-32.0, 0.0, 0.0), 0.0, 2.0),
+        ((-60.0, 50.0, 0.0), 90.0, 0.0),
+    ],
+)
+def test_the_nearest_edge_counts_at_a_line(
+    xyz_mm: tuple[float, float, float], yaw_deg: float, off_mm: float
+) -> None:
+    box, line = Body("box", size_mm=(60.0, 120.0, 90.0)), Body("line", size_mm=(4.0, 400.0, 0.0))
+    found = edge(box, line, pose_from_mm_deg(xyz_mm, (0.0, 0.0, yaw_deg)))
+    assert found.value == pytest.approx(off_mm, abs=1e-9)
+    assert found.good
+
+
+def test_a_box_that_is_skew_is_not_at_the_line() -> None:
+    box, line = Body("box", size_mm=(60.0, 120.0, 90.0)), Body("line", size_mm=(4.0, 400.0, 0.0))
+    assert not edge(box, line, pose_from_mm_deg((-30.0, 0.0, 0.0), (0.0, 0.0, 5.0))).good

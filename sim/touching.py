@@ -1,0 +1,63 @@
+"""Stretches in which the hand, or what it holds, touches things without grasping them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+
+from assistant.geometry import Array, compose, inverse, relative, transform_points
+from assistant.model.motion import HandStop
+from sim.a465 import GRIPPER
+from sim.shapes import Boxes
+
+
+def in_touch(stops: Sequence[HandStop]) -> tuple[HandStop, ...]:
+    """Return the stops, the hand staying at what it pushes until that has arrived.
+
+    A body the empty hand reached, and that the next stop brings to another place, is touched
+    all the way between the two.
+    """
+    kept = [
+        replace(stop, left_at=max(stop.left_at, later.docking_at))
+        if stop.kind == "touch" and pushes(later) and later.object == stop.object
+        else stop
+        for stop, later in pairwise(stops)
+    ]
+    return (*kept, *stops[-1:])
+
+
+def pushes(stop: HandStop) -> bool:
+    """Return whether a stop is where a body is brought without the gripper."""
+    return stop.kind == "touch" and stop.object != stop.frame
+
+
+def push_begin(stops: Sequence[HandStop], push: HandStop) -> int:
+    """Return the sample from which on a body is pushed: where the hand reached it."""
+    before = [stop for stop in stops if stop.at < push.at and stop.object == push.object]
+    return before[-1].at if before and before[-1].kind == "touch" else push.docking_at
+
+
+def pushed(body: Array, box: Boxes, before: Array, after: Array) -> Array:
+    """Return where a body is after the fingertips went through it, shape (7,).
+
+    Parameters
+    ----------
+    body : array, shape (7,)
+        Its base before.
+    box : Boxes
+        Around it.
+    before, after : array, shape (7,)
+        The flange.
+    """
+    signs = np.array(np.meshgrid(*[[-1.0, 1.0]] * 3)).reshape(3, -1).T
+    corners = box.center[0] + (signs * box.half) @ box.turn[0].T
+    tips_m = GRIPPER.palm_m[0] + GRIPPER.finger_m[0]
+    gap = float(transform_points(inverse(before), corners)[:, 0].min()) - tips_m
+    seen = relative(before, body)
+    seen[0] -= max(gap, 0.0)
+    # What the hand has not come up to stays where it is.
+    met = float(relative(before, after)[0]) > gap
+    return np.asarray(compose(after, seen)) if met else body
