@@ -19,7 +19,25 @@ from assistant.language.parsing import (
 from assistant.language.poses import read_pose
 from assistant.language.sentences import best_sentence
 from assistant.language.words import Words
-from assistant.model.teacher_acts import Explain, KeyState, Save, Stop
+from assistant.model.teacher_acts import (
+    AddSubtask,
+    Assign,
+    Compare,
+    Explain,
+    KeyState,
+    Load,
+    Merge,
+    MoveCut,
+    Optional,
+    Ordered,
+    RemoveSubtask,
+    Rename,
+    Required,
+    Save,
+    Split,
+    Stop,
+    Unordered,
+)
 
 
 def clause(words: Words, hearing: Hearing) -> Parse | None:
@@ -40,10 +58,26 @@ def _clause(words: Words, hearing: Hearing) -> Parse | None:
                 best = parse
         if best is not None and best.score >= SURE - 0.01:
             return best
+    if best is not None and best.how == "sentence" and ACTING <= best.score < SURE - 0.01:
+        best = _seconded(best, words, hearing)
     if best is None or best.score < ACTING:
         others = (framed(words, hearing), _requested(words, hearing))
         best = max((best, *others), key=lambda parse: parse.score if parse else 0.0)
     return best
+
+
+_NAMING = (AddSubtask, Assign, Merge, MoveCut, Optional, Ordered, RemoveSubtask, Rename)
+_NAMED = (*_NAMING, Required, Split, Unordered, Save, Load, Compare)
+
+
+def _seconded(best: Parse, words: Words, hearing: Hearing) -> Parse:
+    """Trust names told by a sentence less where the frames read others."""
+    if len(best.acts) > 1 or not isinstance(best.acts[0], _NAMED):
+        return best
+    told = framed(words, hearing)
+    if told is not None and told.acts == best.acts:
+        return best
+    return Parse(best.acts, 0.8, "unseconded")
 
 
 def _requested(words: Words, hearing: Hearing) -> Parse | None:
@@ -51,7 +85,7 @@ def _requested(words: Words, hearing: Hearing) -> Parse | None:
     for bare in undressed(words, hearing.book):
         found = max(_readings(bare, hearing), key=lambda parse: parse.score, default=None)
         if found is not None and found.score >= LIKELY and found.acts != (Stop(),):
-            return Parse(found.acts, LIKELY, "request")
+            return Parse(found.acts, 0.8, "request")
     return None
 
 
@@ -70,7 +104,8 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     pose = read_pose(texts, [w.broken for w in words], hearing.listening, hearing.book)
     if pose is not None:
         yield Parse((pose.act,), explained(pose.unexplained) + 0.01)
-    moved = correction(texts, hearing)
+    leading = texts[0] == "right" and len(words) > 2 and words[1].broken
+    moved = None if leading else correction(texts, hearing)
     if moved is not None:
         yield moved
     state = key_state(words, hearing)

@@ -24,6 +24,8 @@ LONGEST_NAME = 6
 MOST_UNEXPLAINED = 3
 _TRUST = (LIKELY, 0.72, 0.58, 0.42)
 _NAMING = frozenset(("save", "load", "compare", "rename", "add_subtask"))
+_NAMED = 0.78
+_TOLD = frozenset(("ordered", "rename", "add_subtask", "remove_subtask", "merge", "split"))
 Spans = Mapping[str, tuple[tuple[int, int], ...]]
 
 
@@ -112,10 +114,11 @@ def framed(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     if known is None or len(texts) > 40:
         return None
+    asking = texts[0] in ("what", "which", "where", "how", "who")
     spans = {**_spans(texts, known), **_counted(texts, hearing)}
     best: tuple[tuple[float, int, int], Parse] | None = None
     for frame in known.frames:
-        if not _applies(frame, hearing, spans):
+        if not _applies(frame, hearing, spans) or (asking and frame.names and frame.act in _TOLD):
             continue
         found = _filled(frame, words, spans, hearing)
         if found is not None:
@@ -236,19 +239,25 @@ def _named(
     wanted = tuple(one for one in frame.names if one[1] not in ("seconds", "ordinal", "number"))
     for slot, kind in set(frame.names) - set(wanted):
         slots[slot] = _counted_value(kind, texts_of(words), spans[kind][0][0], hearing)
+        if slot == "which" and slots[slot] == 1 and kind == "ordinal":
+            slots[slot] = "first"
+    if not wanted:
+        left = len(set(range(len(words))) - used - blank)
+        return Parse((_act(frame, slots),), _TRUST[min(left, 3)], "frame")
     if wanted[0][1] == "*":
         if len(runs) != 2:
             return None
         names = tuple(_text(words, run, hearing) for run in runs)
-        return Parse((_act(frame, {wanted[0][0]: names}),), _TRUST[0] - 0.02, "frame")
-    trust = _TRUST[min(max(len(runs) - len(wanted), 0), len(_TRUST) - 1)] - 0.02
+        return Parse((_act(frame, {wanted[0][0]: names}),), _NAMED, "named")
+    trust = _TRUST[min(max(len(runs) - len(wanted), 0), len(_TRUST) - 1)]
+    trust = min(trust, _NAMED)
     for slot, lead in sorted(wanted, key=lambda one: one[1] == ""):
         run = _run_of(lead, runs, spans, used)
         if run is None:
             return None
         slots[slot] = _text(words, run, hearing)
         runs.remove(run)
-    return Parse((_act(frame, slots),), trust, "frame")
+    return Parse((_act(frame, slots),), trust, "named")
 
 
 def _counted_value(kind: str, texts: Phrase, at: int, hearing: Hearing) -> float | int:
@@ -298,6 +307,12 @@ def _runs(words: Words, used: set[int], blank: set[int]) -> Iterator[tuple[int, 
 
 
 def _text(words: Words, run: tuple[int, int], hearing: Hearing) -> str:
-    part = words[slice(*run)]
+    start, end = run
+    number = hearing.book.numbers
+    if end - start == 1 and number.ordinal(texts_of(words), start) and words[end:]:
+        end += words[end].text == "step"
+    if end - start == 1 and number.number(texts_of(words), start) and start:
+        start -= words[start - 1].text == "step"
+    part = words[start:end]
     names = hearing.listening.subtasks
     return known_name(texts_of(part), names, hearing.book.numbers) or said(part)

@@ -185,6 +185,7 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
     concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
+    concerned = concerned or (marked and bool(set(texts) & verbs - weak) and len(texts) > 3)
     if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
         return None
     asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")

@@ -56,6 +56,8 @@ class Phrasebook:
     empty: frozenset[str]
     polite: frozenset[str]
     addressed: frozenset[str]
+    yes: frozenset[str]
+    no: frozenset[str]
     impure: frozenset[str]
     wrapping: Mapping[str, tuple[Phrase, ...]]
 
@@ -123,6 +125,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         empty=_single(classes["empty"]) - _turning(book),
         polite=_single(classes["polite"]),
         addressed=_single(classes["addressed"]),
+        yes=_single(classes["classes"]["yes"]),
+        no=_single("no, nope, nah, nein"),
         impure=_single(classes["impure"]),
         wrapping={name: _longest_first(told) for name, told in classes["answers"].items()},
         real=frozenset(book["real"].split())

@@ -118,6 +118,19 @@ def _body(
 def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] | None:
     """Return a body nobody spoke of before: "bolt at 400, 150, 90"."""
     places = {word for phrase in book.answer_words["pose_at"] for word in phrase}
+    if words[0] in ("move", "shift", "put", "place", "set", "push", "slide") and len(words) > 2:
+        start = 2 if words[1] in ("the", "a", "my", "our", "that", "this") else 1
+        known = {word for phrase in book.motion for word in phrase} - {"block", "object"}
+        end = next(
+            (
+                n
+                for n, word in enumerate(words)
+                if n > start and word in known | places or book.numbers.number(words, n)
+            ),
+            start,
+        )
+        named = " ".join(words[start:end])
+        return (named, 0, end) if 0 < end - start <= 3 else None
     end = next((at for at, word in enumerate(words) if word in places), 0)
     name = " ".join(without_article(words[:end]))
     fit = 0 < end <= 4 and not set(words[:end]) & {"it", "this", "that", "i", "you", "we"}

@@ -136,6 +136,7 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     """Return a slot's value and how far it can be trusted."""
     if len(words) > LONGEST_NAME:
         return None, 0.0
+    words = _trimmed(words, hearing)
     bare = without_article(texts_of(words))
     part = words[len(words) - len(bare) :]
     if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
@@ -152,8 +153,18 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
         return said(part), 0.8
     value, trust = _unresolved(part, hearing)
     if any(w.text in hearing.book.impure for w in part) or any(w.broken for w in part[1:]):
-        trust = 0.8
+        trust = 0.7
     return value, min(trust, 0.8) if names else trust
+
+
+def _trimmed(words: Words, hearing: Hearing) -> Words:
+    """Take words no name begins or ends with off its ends: "of lifting", "gripping always"."""
+    ends = hearing.book.impure | {"of"}
+    while len(words) > 1 and words[0].text in ends:
+        words = words[1:]
+    while len(words) > 1 and words[-1].text in ends:
+        words = words[:-1]
+    return words
 
 
 def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:

@@ -14,6 +14,7 @@ from assistant.language.compounds import compound, corrected, once_more
 from assistant.language.guessing import asks, guess, urgent
 from assistant.language.naming import known_name
 from assistant.language.parsing import (
+    ACTING,
     DOUBTFUL,
     GUESS,
     LIKELY,
@@ -91,6 +92,9 @@ _STRUCTURE = (
 _TELLING = frozenset(("i", "he", "she", "they", "my", "his", "her", "we", "did", "have"))
 # What may be said instead of an answer, in words no sentence lists.
 _ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
+_YES_OR_NO = frozenset(
+    ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
+)
 _REPAIRED = 0.97
 MOST_WORDS = 60
 
@@ -167,6 +171,7 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
     if asked in OPEN:
         return _answered(words, hearing)
     parse = _command(words, hearing)
+    parse = _plain_answer(words, parse, hearing)
     named = _named_part(words, hearing)
     moving = parse is not None and isinstance(parse.acts[0], _MOTION)
     if named is not None and (named.score >= SURE or moving):
@@ -176,6 +181,19 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
     if named is not None:
         return named
     return parse or _unknown(words, hearing)
+
+
+def _plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse | None:
+    """Return yes or no where a question was asked and only they are understood for sure."""
+    asked, first = hearing.listening.asked, words[0].text
+    plain = (*hearing.book.yes, *hearing.book.no)
+    if (asked not in _YES_OR_NO and asked != "satisfied") or first not in plain:
+        return parse
+    if len(words) > 1 and not words[1].broken:
+        return parse
+    if parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion"):
+        return parse
+    return Parse((Affirm() if first in hearing.book.yes else Deny(),), ACTING, "plain")
 
 
 def _command(words: Words, hearing: Hearing) -> Parse | None:
@@ -206,6 +224,8 @@ def _one(parse: Parse, listening: Listening) -> Parse:
         if listening.asked is None or (same is not None and isinstance(acts[1], same)):
             acts = acts[1:]
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
+    if listening.asked in _YES_OR_NO:
+        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
     unique = tuple(dict.fromkeys(acts))
@@ -290,7 +310,7 @@ def _named_part(words: Words, hearing: Hearing) -> Parse | None:
 
 def _unknown(words: Words, hearing: Hearing) -> Parse:
     chat = set(texts_of(words)) & hearing.book.chat
-    return Parse((Unknown(),), 0.9 if chat else 0.6)
+    return Parse((Unknown(),), 0.8 if chat else 0.6)
 
 
 def _without_fillers(words: Words, book: Phrasebook) -> Words:

@@ -76,6 +76,22 @@ def _bodies(words: Words, book: Phrasebook) -> Words:
     after = {phrase[0] for phrase in book.wrapping["after_items"]}
     texts = _texts(words)
     starts = [at for at in range(1, len(texts)) if texts[at] in _ARTICLES and texts[at - 1] in uses]
+    told = texts[0] in (
+        "you",
+        "we",
+        "i",
+        "it",
+        "there",
+        "this",
+        "that",
+        "what",
+        "so",
+        "well",
+        "only",
+    )
+    starts = starts or [
+        at for at in range(1, min(8, len(texts))) if told and texts[at] in _ARTICLES
+    ]
     if starts and not any(text in _ARTICLES - {"one"} for text in texts[: starts[0]]):
         words, texts = words[starts[0] :], texts[starts[0] :]
     end = next((at for at in range(2, len(texts)) if texts[at] in after), len(texts))
