@@ -68,10 +68,10 @@ def timed(u_s: Array, q: Array, hand: Array, hand_speed_m_s: float) -> Timed:
     need = np.maximum(need, 1.0)
     for _ in range(ROUNDS):
         result = _ticks(u_s, _smooth(u_s, need, rest), curve, rest)
-        over = _overload(result, hand_speed_m_s, hand, u_s)
+        over = _overload(result, hand_speed_m_s)
         if over.max() <= 1.0:
             break
-        worst = np.interp(u_s, result.u_s, _widest(over, 3))
+        worst = _worst(u_s, result.u_s, over)
         need = need * np.where(worst > 1.0, 1.0 + 1.05 * (np.sqrt(worst) - 1.0) + 0.005, 1.0)
     return result
 
@@ -83,7 +83,7 @@ def _speed(u_s: Array, hand: Array) -> Array:
 def _turning(u_s: Array, q: Array) -> Array:
     hand = forward(q)
     rates = np.asarray(angle_between(hand[1:], hand[:-1])) / np.diff(u_s)
-    return np.maximum(np.append(rates, 0.0), np.insert(rates, 0, 0.0))
+    return np.asarray(np.maximum(np.append(rates, 0.0), np.insert(rates, 0, 0.0)))
 
 
 def _smooth(u_s: Array, need: Array, rest: Array) -> Array:
@@ -137,18 +137,27 @@ def _ramp(t_s: Array) -> Array:
     return np.asarray(np.where(slow, np.interp(t_s, clock, real), t_s + lead))
 
 
-def _overload(result: Timed, hand_speed_m_s: float, hand: Array, u_s: Array) -> Array:
+def _overload(result: Timed, hand_speed_m_s: float) -> Array:
     q = result.q
     over = np.zeros(len(q))
     if len(q) < 3:
         return over
     speed = np.max(np.abs(np.diff(q, axis=0)) * CONTROL_HZ / SPEEDS, axis=1)
-    place = np.stack([np.interp(result.u_s, u_s, hand[:, k]) for k in range(3)], axis=1)
+    place = forward(q)[:, :3]
     hand_speed = np.linalg.norm(np.diff(place, axis=0), axis=1) * CONTROL_HZ / hand_speed_m_s
     over[1:] = np.maximum(speed, hand_speed) ** 2
     padded = np.concatenate([q[:1], q, q[-1:]])
     bend = np.abs(np.diff(padded, 2, axis=0)) * CONTROL_HZ**2 / ACCELERATIONS
     return np.asarray(np.maximum(over, np.max(bend, axis=1)))
+
+
+def _worst(u_s: Array, ticks_u_s: Array, over: Array) -> Array:
+    worst = np.interp(u_s, ticks_u_s, _widest(over, 3))
+    # Where time is slowed a lot, many ticks lie between two samples: both answer for them.
+    before = np.clip(np.searchsorted(u_s, ticks_u_s, side="right") - 1, 0, len(u_s) - 2)
+    np.maximum.at(worst, before, over)
+    np.maximum.at(worst, before + 1, over)
+    return np.asarray(worst)
 
 
 def _widest(values: Array, reach: int) -> Array:

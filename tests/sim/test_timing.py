@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from assistant.geometry import Array
+from assistant.geometry import Array, angle_between
 from sim import a465
 from sim.kinematics import forward
-from sim.timing import Timed, timed
+from sim.timing import TURN_RAD_S, Timed, timed
 
 HAND_M_S = 0.25
 
@@ -50,6 +50,17 @@ def test_no_limit_is_passed(amount: float, lasts_s: float, hand_m_s: float) -> N
     assert speed <= 1.0
     assert bend <= 1.0
     assert hand <= hand_m_s
+
+
+def test_the_hand_turns_no_faster_than_a_body_in_it_allows() -> None:
+    u_s = np.arange(0.0, 2.0, 0.02)
+    s = np.clip((u_s - 0.5) / 0.8, 0.0, 1.0)
+    turn = 1.8 * s**3 * (10.0 - 15.0 * s + 6.0 * s * s)
+    result = run(u_s, a465.READY + turn[:, None] * np.eye(6)[5], 10.0)
+    hand = forward(result.q)
+    rates = angle_between(hand[1:], hand[:-1]) * a465.CONTROL_HZ
+    assert np.max(rates) <= TURN_RAD_S
+    assert np.max(rates) > 0.8 * TURN_RAD_S
 
 
 def test_a_motion_given_in_course_is_led_in_and_out_from_rest() -> None:
