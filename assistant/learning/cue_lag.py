@@ -80,14 +80,14 @@ def estimate(
     return Lag(lags, score[steady] / np.sum(score[steady]), given.jitters_s[steady])
 
 
-def modes(lag: Lag, most: int = 3) -> tuple[Lag, ...]:
-    """Return the likely lags apart from each other, likeliest first.
+def modes(lag: Lag, most: int = 3) -> tuple[tuple[Lag, float], ...]:
+    """Return the likely lags apart from each other, likeliest first, each with its share.
 
     Cuts that follow each other at like distances make several lags explain the same cues; only
     the whole reading tells which one is right.
     """
     left = lag.chances.copy()
-    found: list[Lag] = []
+    found: list[tuple[Lag, float]] = []
     while len(found) < most:
         peak = lag.lags_s[int(np.argmax(left))]
         near = np.abs(lag.lags_s - peak) < 0.3
@@ -95,7 +95,7 @@ def modes(lag: Lag, most: int = 3) -> tuple[Lag, ...]:
         if found and share < 0.03:
             break
         chances = np.where(near, lag.chances, 0.0)
-        found.append(Lag(lag.lags_s, chances / np.sum(chances), lag.jitter_s))
+        found.append((Lag(lag.lags_s, chances / np.sum(chances), lag.jitter_s), share))
         left[near] = 0.0
         if not np.any(left > 0.0):
             break

@@ -9,8 +9,8 @@ from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode, Question, SegmentationPoint
 from assistant.model.task import Task, primitives
 
-UNSURE_CUT = 0.75
-"""Below this confidence the robot asks about a cut."""
+UNSURE = 0.65
+"""The robot asks if its confidence that all cuts are right lies below."""
 
 
 def questions(
@@ -19,8 +19,20 @@ def questions(
     evidence: Evidence,
     points: tuple[SegmentationPoint, ...],
     episodes: tuple[Episode, ...],
+    all_right: float = 1.0,
 ) -> tuple[Question, ...]:
-    """Return the questions in the order in which they should be asked."""
+    """Return the questions in the order in which they should be asked.
+
+    Parameters
+    ----------
+    task : Task
+    demonstration : Demonstration
+    evidence : Evidence
+    points : tuple of SegmentationPoint
+    episodes : tuple of Episode
+    all_right : float
+        Probability that all cuts are right.
+    """
     leaves = primitives(task.tree)
     shown = [episode.primitive for episode in episodes if episode.primitive is not None]
     counts: dict[str, object] = {"introduced": len(leaves), "shown": len(episodes)}
@@ -39,7 +51,8 @@ def questions(
         for e in episodes
         if e.primitive is None
     ]
-    found += _unsure(points, episodes)
+    if all_right < UNSURE:
+        found += _unsure(points, episodes)
     found += _hand(demonstration, evidence)
     found += [
         _ask("confirm_segmentation", "", "gap", {"from_s": a, "to_s": b})
@@ -49,7 +62,10 @@ def questions(
 
 
 def _unsure(points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...]) -> list[Question]:
+    """Ask about the least sure cuts, as many as are likely wrong."""
     cuts = [point for point in points if point.kept and not point.internal]
+    wrong = max(round(sum(1.0 - cut.confidence for cut in cuts)), 1)
+    least = sorted(cut.confidence for cut in cuts)[:wrong]
     return [
         _ask(
             "confirm_segmentation",
@@ -58,7 +74,7 @@ def _unsure(points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...]
             {"at_s": cut.at_s, "confidence": cut.confidence, "next": after.primitive or ""},
         )
         for cut, before, after in zip(cuts, episodes[:-1], episodes[1:], strict=False)
-        if cut.confidence < UNSURE_CUT
+        if cut.confidence <= least[-1]
     ]
 
 

@@ -19,6 +19,8 @@ from assistant.model.task import Task, primitives
 
 _NEVER = -1e6
 _TOLD_CUTS_FACTOR = 4.0
+_SAME_CUT_S = 0.4
+"""Cuts so near to each other are one and the same."""
 _AT_TOLD_CUT_S = 0.25
 """A gripper event so near to a cut that was told belongs to that cut."""
 
@@ -39,6 +41,11 @@ class Understood:
         Leaves in the order in which they were shown.
     lag : Lag or None
         None without cues.
+    cut_chances : tuple of float
+        For each cut, how likely the same primitive ends there, whatever the lag; empty where
+        the cuts were told.
+    alone_s : tuple of float
+        The cuts as read without the cues.
     """
 
     at_s: Array
@@ -46,6 +53,8 @@ class Understood:
     reading: Reading
     order: tuple[int, ...]
     lag: Lag | None
+    cut_chances: tuple[float, ...] = ()
+    alone_s: tuple[float, ...] = ()
 
     def leaf(self, position: int | None) -> int | None:
         """Return which leaf of the tree a position of the reading is."""
@@ -62,19 +71,47 @@ def read(
     cues_s = np.array([cue.at_s for cue in demonstration.cues])
     end_s = float(evidence.smoothed.t_s[-1])
     understood = _read(demonstration, task, evidence, settings, evidence.candidates, cues_s, None)
+    alone_s = tuple(understood.at_s[list(understood.reading.nodes[1:-1])].tolist())
     if len(cues_s) == 0:
-        return understood
+        return replace(_sure(understood, [understood], np.ones(1)), alone_s=alone_s)
     chances = understood.reading.cut_chances[1:-1]
     blur_s = np.array([spot.blur_s for spot in understood.candidates])
     lag = estimate(cues_s, understood.at_s[1:-1], blur_s, chances, end_s, settings.cues)
+    found = modes(lag)
     ways = [
         _read(
             demonstration, task, evidence, settings, _with_heard(evidence, cues_s, way), cues_s, way
         )
-        for way in modes(lag)
+        for way, _ in found
     ]
     best = max(ways, key=lambda way: way.reading.evidence)
-    return replace(best, at_s=_refined(best, cues_s))
+    best = _sure(best, ways, np.array([share for _, share in found]))
+    return replace(best, at_s=_refined(best, cues_s), alone_s=alone_s)
+
+
+def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Understood:
+    """Return the best reading with its chances among all readings with all lags."""
+    cuts_s = best.at_s[list(best.reading.nodes[1:-1])]
+    odds = np.log(shares) + np.array([way.reading.evidence for way in ways])
+    weights = np.exp(odds - np.max(odds))
+    each = sum(
+        weight * _same_cuts(best, way, cuts_s)
+        for way, weight in zip(ways, weights / np.sum(weights), strict=True)
+    )
+    return replace(best, cut_chances=tuple(np.asarray(each).tolist()))
+
+
+def _same_cuts(best: Understood, way: Understood, cuts_s: Array) -> Array:
+    """Return how likely, with another lag, the same primitive ends where each cut lies."""
+    near = np.abs(way.at_s[:, None] - cuts_s) <= _SAME_CUT_S
+    near[0], near[-1] = False, False
+    ends = np.empty((len(way.at_s), len(cuts_s)))
+    for k, position in enumerate(best.reading.taken[:-1]):
+        chances = way.reading.cut_chances
+        if position is not None and way.order == best.order:
+            chances = way.reading.step_chances[:, position]
+        ends[:, k] = chances
+    return np.asarray(np.minimum(np.sum(ends * near, axis=0), 1.0))
 
 
 def _refined(understood: Understood, cues_s: Array) -> Array:

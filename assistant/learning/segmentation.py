@@ -10,6 +10,7 @@ import numpy as np
 
 from assistant.errors import BadInput, NothingLearned
 from assistant.learning.candidates import Evidence, gather
+from assistant.learning.confidence import all_right
 from assistant.learning.points import episodes, points, signal_votes
 from assistant.learning.questions import questions
 from assistant.learning.reading import Understood, read, read_cuts
@@ -65,7 +66,8 @@ def segment(
         understood = read(demonstration, task, evidence, settings)
     else:
         understood = read_cuts(demonstration, task, evidence, settings, _inside(cuts_s, evidence))
-    return _told(demonstration, task, evidence, understood, settings, assigned)
+    told = cuts_s is not None
+    return _told(demonstration, task, evidence, understood, settings, assigned, told=told)
 
 
 def _evidence(demonstration: Demonstration, task: Task, settings: SegmentationSettings) -> Evidence:
@@ -120,6 +122,8 @@ def _told(
     understood: Understood,
     settings: SegmentationSettings,
     assigned: Sequence[tuple[int, str]],
+    *,
+    told: bool,
 ) -> Segmentation:
     leaves = primitives(task.tree)
     lag_s = understood.lag.best_s if understood.lag is not None else None
@@ -127,11 +131,16 @@ def _told(
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
     found = points(understood, evidence, votes, cues_s, settings)
     parts = _reassigned(episodes(understood, evidence, leaves), assigned, task)
+    sure = 1.0
+    if not told:
+        cuts = [point.confidence for point in found if point.kept and not point.internal]
+        seen = demonstration.recording.gripper_m is not None
+        sure = all_right(understood, np.array(cuts), cues_s, seen=seen)
     return Segmentation(
         points=found,
         episodes=parts,
         cue_lag_s=lag_s,
-        questions=questions(task, demonstration, evidence, found, parts),
+        questions=questions(task, demonstration, evidence, found, parts, sure),
         vote_t_s=evidence.smoothed.t_s,
         vote=overall(votes, settings.votes.weights),
         signal_votes=MappingProxyType(votes),

@@ -89,12 +89,13 @@ def touches(
         name = leaf.action.object if leaf else None
         if leaf is None or not name or leaf.action.verb not in ("move", "free"):
             continue
-        if leaf.action.way in ("depart", "up"):
+        if leaf.action.way in ("depart", "up") or leaf.name in {one.primitive for one in acted}:
             continue
         if leaf.action.verb == "free" or not acted:
             before = [visit for visit in acted if visit.at_s <= episode.from_s]
-            held = before[-1].object if before and before[-1].kind == "grasp" else touched
-            thing = held if held and _role(task, name) == "target" else name
+            held = before[-1].object if before and before[-1].kind == "grasp" else ""
+            pushed = touched if _role(task, name) == "target" else ""
+            thing = held or pushed or name
             found.append(Visit("touch", episode.to_s, leaf.name, thing, name))
             touched = thing if _role(task, thing) == "object" else touched
     return tuple(found)

@@ -6,7 +6,7 @@ from types import MappingProxyType
 import numpy as np
 
 from assistant.learning.candidates import Evidence, gather
-from assistant.learning.questions import UNSURE_CUT, questions
+from assistant.learning.questions import UNSURE, questions
 from assistant.learning.smoothing import smooth
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import Episode, Question, SegmentationPoint
@@ -38,10 +38,14 @@ def cut(confidence: float) -> SegmentationPoint:
 
 
 def asked(
-    points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...], *, gap: bool = False
+    points: tuple[SegmentationPoint, ...],
+    episodes: tuple[Episode, ...],
+    all_right: float = 1.0,
+    *,
+    gap: bool = False,
 ) -> tuple[Question, ...]:
     shown, evidence = given(gap)
-    return questions(TASK, shown, evidence, points, episodes)
+    return questions(TASK, shown, evidence, points, episodes, all_right)
 
 
 def test_what_is_clear_is_not_asked() -> None:
@@ -49,15 +53,26 @@ def test_what_is_clear_is_not_asked() -> None:
 
 
 def test_an_unsure_cut_is_asked_about_with_its_time() -> None:
-    (question,) = asked((cut(UNSURE_CUT - 0.1),), (FIRST, SECOND))
+    (question,) = asked((cut(0.7),), (FIRST, SECOND), UNSURE - 0.1)
     assert (question.asked, question.about) == ("confirm_segmentation", "go up")
     assert question.facts["at_s"] == 1.0
     assert question.facts["next"] == "go left"
 
 
+def test_only_the_least_sure_cuts_are_asked_about() -> None:
+    cuts = tuple(replace(cut(chance), at_s=at) for at, chance in ((1.0, 0.95), (2.0, 0.6)))
+    (question,) = asked(cuts, (FIRST, SECOND, replace(FIRST, from_s=2.0)), UNSURE - 0.1)
+    assert question.facts["at_s"] == 2.0
+
+
+def test_of_what_is_right_as_a_whole_no_cut_is_doubted() -> None:
+    assert asked((cut(0.7),), (FIRST, SECOND), UNSURE + 0.1) == ()
+
+
 def test_eliminated_and_internal_points_raise_no_questions() -> None:
     unsure = (replace(cut(0.1), kept=False), replace(cut(0.1), internal=True))
-    assert asked((*unsure, cut(0.99)), (FIRST, SECOND)) == ()
+    (question,) = asked((*unsure, cut(0.9)), (FIRST, SECOND), UNSURE - 0.1)
+    assert question.facts["confidence"] == 0.9
 
 
 def test_empty_and_unknown_steps_are_named_and_optional_ones_are_not() -> None:
