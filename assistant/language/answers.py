@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.templates import Bound, Node, matches
-from assistant.language.words import Word, Words, said
+from assistant.language.words import Word, Words, said, told
 from assistant.language.wrappings import NAMES, loosened
 from assistant.model.teacher_acts import Asked, Inform
 
@@ -44,6 +44,8 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
         return Inform(items) if items else None
     if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in _ARTICLES:
         core = core[1:]
+    if asked == "goal":
+        return Inform(told(core))
     return Inform(said(core)) if core else None
 
 

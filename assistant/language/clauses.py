@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assistant.language.frames import framed
-from assistant.language.located import correction, explained, key_state, located_correction
+from assistant.language.located import (
+    acted_correction,
+    correction,
+    explained,
+    key_state,
+    located_correction,
+)
 from assistant.language.parsing import (
     ACTING,
     LIKELY,
@@ -95,6 +101,11 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
         yield sentence
         if sentence.score >= SURE:
             return
+    if sentence is not None and isinstance(sentence.acts[0], AddSubtask | RemoveSubtask | Rename):
+        return
+    acted = acted_correction(words, hearing)
+    if acted is not None:
+        yield acted
     located = located_correction(words, hearing)
     if located is not None:
         yield located

@@ -255,7 +255,8 @@ def _named(
         run = _run_of(lead, runs, spans, used)
         if run is None:
             return None
-        slots[slot] = _text(words, run, hearing)
+        new = slot in ("new", "name")
+        slots[slot] = said(words[slice(*run)]) if new else _text(words, run, hearing)
         runs.remove(run)
     return Parse((_act(frame, slots),), trust, "named")
 

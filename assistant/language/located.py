@@ -74,6 +74,9 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     """Read "when you place it, a bit more left": a correction with where it belongs."""
     texts = texts_of(words)
     where = hearing.book.where
+    returning = {"back"} & set(texts) and {"when", "before", "until"} & set(texts)
+    if returning and texts[0] in ("go", "back", "return", "get", "take"):
+        return None
     stated = _stated(words, hearing)
     if stated is not None:
         return stated
@@ -91,6 +94,25 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
                     if found is not None:
                         return found
     return None
+
+
+def acted_correction(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "grasp it a bit lower": a correction of the step the verb names."""
+    texts = texts_of(words)
+    things = {word for phrase in hearing.book.answer_words["pose_bodies"] for word in phrase}
+    size = 2 if texts[1:2] in (("it",), ("that",)) else 3
+    known = size == 2 or (len(texts) > 2 and texts[1] in ("the", "a") and texts[2] in things)
+    if texts[0] not in _STEPPING or not known or len(texts) <= size:
+        return None
+    found = correction(texts[size:], hearing)
+    if found is None or found.score < LIKELY:
+        return None
+    names = hearing.listening.subtasks
+    step = known_name(texts[:1], names, hearing.book.numbers) or said(words[:size])
+    return _at(found, Where(step), SURE)
+
+
+_STEPPING = frozenset(("grasp", "grab", "approach", "release", "pick"))
 
 
 def _stated(words: Words, hearing: Hearing) -> Parse | None:

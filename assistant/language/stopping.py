@@ -110,6 +110,7 @@ _WORDS = re.compile(r"[^\W\d_]+")
 def has_stop_word(text: str, language: str = "english") -> bool:
     """Tell whether raw input holds a stop word, however it is spelled or meant."""
     plain = unicodedata.normalize("NFKC", text).lower().replace("\u2019", "'")
+    plain = re.sub(r"(?<=[^\W\d_])0(?=[^\W\d_])", "o", plain)
     if any(phrase in " ".join(plain.split()) for phrase in _PHRASES):
         return True
     stops = _STOPS.get(language, ()) + _STOPS["english"]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.language.answers import OPEN, answer, trimmed, wrapped
+from assistant.language.answers import LISTS, OPEN, answer, trimmed, wrapped
 from assistant.language.clauses import clause
 from assistant.language.compounds import compound, corrected, once_more
 from assistant.language.guessing import asks, guess, urgent
@@ -95,6 +95,7 @@ _ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit
 _YES_OR_NO = frozenset(
     ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
 )
+_PERSON = (("my", "name", "is"), ("i", "am", "called"), ("people", "call", "me"))
 _REPAIRED = 0.97
 MOST_WORDS = 60
 
@@ -126,7 +127,10 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
     if listening.asked not in OPEN:
         words = _once(words)
     heard, parse = _best(words, hearing)
-    return Understanding(parse.acts, round(parse.score, 3), spoken(heard))
+    score = parse.score
+    if any(isinstance(act, Stop) for act in parse.acts) and not has_stop_word(text, language):
+        score = min(score, DOUBTFUL)
+    return Understanding(parse.acts, round(score, 3), spoken(heard))
 
 
 def _once(words: Words) -> Words:
@@ -150,8 +154,11 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
             return spelled, replace(stopping, score=stopping.score * _REPAIRED)
     if best.score >= LIKELY and texts_of(spelled) == texts_of(words):
         return heard, best
-    sounded = homophones(words, hearing.book)
-    for variant in dict.fromkeys((sounded, spelled, homophones(spelled, hearing.book))):
+    counting = hearing.listening.asked == "subtask_count" and len(words) > 4
+    sounded = words if counting else homophones(words, hearing.book)
+    for variant in dict.fromkeys(
+        (sounded, spelled, spelled if counting else homophones(spelled, hearing.book))
+    ):
         if variant == words or best.score >= LIKELY:
             continue
         parse = _meaning(variant, hearing)
@@ -174,6 +181,9 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
     parse = _plain_answer(words, parse, hearing)
     named = _named_part(words, hearing)
     moving = parse is not None and isinstance(parse.acts[0], _MOTION)
+    amount = {"bit", "little", "more", "much", "lot", "less", "slower", "faster"}
+    if moving and parse is not None and amount & set(texts_of(words)):
+        return parse
     if named is not None and (named.score >= SURE or moving):
         return named
     if parse is not None and parse.score > GUESS:
@@ -229,6 +239,8 @@ def _one(parse: Parse, listening: Listening) -> Parse:
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
     unique = tuple(dict.fromkeys(acts))
+    if unique == (Unordered(),) and listening.stage == "practice":
+        return Parse(unique, DOUBTFUL, parse.how)
     return Parse(unique, parse.score, parse.how)
 
 
@@ -236,8 +248,12 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
     """Return an answer to an open question, unless the words are a command of their own."""
     asked: Asked = hearing.listening.asked or "goal"
     bare = trimmed(words, hearing.book)
+    if texts_of(bare)[:3] in _PERSON or texts_of(words)[:3] in _PERSON:
+        return Parse((Unknown(),), 0.8)
     for told in dict.fromkeys((words, bare)):
         parse = _command(told, hearing)
+        if asked == "subtask_count" and parse is not None and _changing(parse):
+            return parse
         if (
             parse is not None
             and parse.score >= LIKELY
@@ -261,7 +277,25 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
         names = hearing.listening.subtasks
         known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
         found = Inform(known or found.value)
-    return Parse((found,), 0.93 if len(words) <= 14 else 0.8, "answer")
+    return Parse((found,), _answer_score(found, words, asked, hearing), "answer")
+
+
+def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -> float:
+    """Return how sure an answer is: short and without words of its wrapping."""
+    value = found.value
+    if asked != "task_name" and {"called", "named"} & set(texts_of(words)) and asked in LISTS:
+        return DOUBTFUL
+    if isinstance(value, int) or asked in ("goal", "facing"):
+        return 0.93 if len(words) <= 14 else 0.8
+    names = (value,) if isinstance(value, str) else value
+    strange = any(set(name.split()) & hearing.book.impure for name in names)
+    longest = max(len(name.split()) for name in names)
+    return 0.8 if strange or longest > 5 or len(words) > 14 else 0.93
+
+
+def _changing(parse: Parse) -> bool:
+    known = isinstance(parse.acts[0], Rename | AddSubtask | RemoveSubtask)
+    return known and parse.how != "named" and parse.score >= 0.8
 
 
 def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:

@@ -100,6 +100,8 @@ def _separated(text: str) -> str:
         re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
     )
     text = re.sub(r"(?<![\d½¼¾])\"", " ", text)
+    text = re.sub(r"(?<=[a-z])0(?=[a-z])", "o", text)
+    text = re.sub(r"\bs[ .-]t[ .-]o[ .-]p\b", "stop", text)
     text = re.sub(r"(?<=\d)\s*(?=[°%\"])", " ", text)
     return re.sub(r"(?<![a-z\d_])(\d+(?:\.\d+)?)(?=(?!st\b|nd\b|rd\b|th\b)[a-z])", r"\1 ", text)
 
@@ -138,6 +140,16 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
 def said(words: Sequence[Word]) -> str:
     """Return the words as the teacher said them."""
     return " ".join(word.said for word in words if word.said)
+
+
+def told(words: Sequence[Word]) -> str:
+    """Return the words as the teacher said them, with commas where marks stood between."""
+    parts = [
+        f", {word.said}" if word.broken and at else f" {word.said}"
+        for at, word in enumerate(words)
+        if word.said
+    ]
+    return "".join(parts).strip(" ,")
 
 
 def spoken(words: Sequence[Word]) -> str:
