@@ -16,7 +16,7 @@ import statistics
 import tempfile
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +26,7 @@ from assistant.cli.adapters import make_equipment
 from assistant.files.demonstrations import read_demonstration
 from assistant.files.shipped import shipped
 from assistant.files.transcripts import read_transcript
+from assistant.model.demonstration import Spoken
 from assistant.model.robot_acts import RobotAct
 from assistant.model.transcript import (
     Demonstrate,
@@ -45,7 +46,7 @@ from assistant.shells.voice.sound import RATE_HZ, Samples, Sound
 from tests.benchmarks.voices import REPORTED, Noise, Speaker, noise, noisy, spoken
 
 MOST_TRIES = 4
-WITHIN_S = 0.3
+GAP_S = 0.6
 Listening = Any
 
 
@@ -125,7 +126,11 @@ class Lesson:
 
     def _take(self, words: Words) -> None:
         assert self.teacher is not None
-        self.teacher.heard[-1] = (self.teacher.heard[-1][0], words.text, words.sure)
+        said, before, _ = self.teacher.heard[-1]
+        if before:
+            self.teacher.heard.append((said, words.text, words.sure))
+        else:
+            self.teacher.heard[-1] = (said, words.text, words.sure)
         self.session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
 
     def _say(self, text: str) -> None:
@@ -173,11 +178,24 @@ class Lesson:
             self.session.mover.setup,
         )
         samples = hand.samples()
-        said = [(cue.at_s, cue.say) for cue in (*shown.cues, *shown.key_states)]
+        said = self._in_turn(shown.cues, shown.key_states)
         self.ears.listen(self._with_hand(said, samples), beside=False)
         if self.session.watching is not None:
             self.cues = [(one.at_s, one.say) for one in self.session.watching.cues]
             self.session.end_recording(keep=True)
+
+    def _in_turn(
+        self, cues: tuple[Spoken, ...], key_states: tuple[Spoken, ...]
+    ) -> list[tuple[float, str]]:
+        """Return the cues, and those key states that fit between them: nobody says two at once."""
+        assert self.teacher is not None
+        said: list[tuple[float, float, str]] = []
+        for one in (*cues, *key_states):
+            voice = spoken(self.teacher.speaker, one.say, self.teacher.folder)
+            until_s = one.at_s + len(voice) / RATE_HZ + GAP_S
+            if all(until_s <= from_s or one.at_s >= to_s for from_s, to_s, _ in said):
+                said.append((one.at_s, until_s, one.say))
+        return [(from_s, text) for from_s, _, text in sorted(said)]
 
     def _with_hand(self, said: list[tuple[float, str]], samples: Any) -> Iterator[Samples]:
         """Yield the sound of the demonstration while the hand moves along."""
@@ -193,11 +211,11 @@ class Lesson:
         waiting = next(samples, None)
         for at, frame in enumerate(frames_in([Sound(self.teacher.in_room(sound))])):
             while waiting is not None and waiting.t_s <= at * FRAME_S:
-                self.session.see(waiting)
+                self.session.see(replace(waiting, said=""))
                 waiting = next(samples, None)
             yield frame
         while waiting is not None:
-            self.session.see(waiting)
+            self.session.see(replace(waiting, said=""))
             waiting = next(samples, None)
 
 
@@ -234,8 +252,6 @@ def main() -> None:
     parser.add_argument("--show", action="store_true")
     parser.add_argument("--clips", type=Path, help="folder in which made speech is kept")
     args = parser.parse_args()
-    from dataclasses import replace
-
     play = replace(read_transcript(shipped("transcripts") / "pick_and_place.yaml"), arm=args.arm)
     with tempfile.TemporaryDirectory() as kept:
         folder = Path(kept)

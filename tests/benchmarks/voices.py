@@ -55,7 +55,7 @@ NOISES = {"tuned": ("white", "babble"), "reported": ("pink", "kitchen")}
 
 def spoken(speaker: Speaker, text: str, folder: Path) -> Samples:
     """Return a sentence as this speaker says it, kept in a folder once made."""
-    key = hashlib.sha256(f"{speaker}|{text}".encode()).hexdigest()[:20]
+    key = hashlib.sha256(f"{speaker}|{text}|2".encode()).hexdigest()[:20]
     path = folder / f"{key}.wav"
     if not path.is_file():
         folder.mkdir(parents=True, exist_ok=True)
@@ -92,6 +92,8 @@ def _piper(speaker: Speaker, text: str) -> Samples:
     config = SynthesisConfig(
         length_scale=speaker.slowness * speaker.pitch, noise_scale=speaker.liveliness
     )
+    # A word without a full stop is cut short by this voice.
+    text = text if text[-1] in ".?!" else f"{text}."
     written = io.BytesIO()
     with wave.open(written, "wb") as file:
         _model().synthesize_wav(text, file, syn_config=config)

@@ -27,6 +27,9 @@ from assistant.shells.voice.sound import RATE_HZ, Samples
 SURE = 0.85
 ALONE_WORDS = 3
 """A reading of so many words that parses is believed without a second opinion."""
+SHORT_WORDS = 3
+SHORT_SURE = 0.92
+"""Few words that only resemble a command are chat: "removed" is not "remove it"."""
 QUICK = 0.5
 """What the quickest recognizer's reading weighs beside those of another."""
 LIKELY_WORDS = 2.0
@@ -40,6 +43,8 @@ FAINT = 0.35
 NEAR = 0.35
 MARGIN = 0.08
 DOUBT = 0.6
+ASKABLE = 0.75
+"""Less sure than this it is chat, and the robot does not ask what was meant."""
 SHORTEST_S = 1.0
 
 SINGLE_WORDS = (
@@ -110,7 +115,13 @@ class _Reading:
 
     @property
     def commands(self) -> bool:
-        return self.meant.confidence >= SURE and not is_unknown(self.meant)
+        short = len(self.text.split()) <= SHORT_WORDS
+        least = SHORT_SURE if short and not self._answers else SURE
+        return self.meant.confidence >= least and not is_unknown(self.meant)
+
+    @property
+    def _answers(self) -> bool:
+        return all(isinstance(act, acts.Inform) for act in self.acts)
 
 
 class Hearing:
@@ -166,8 +177,9 @@ class Hearing:
         if not readings:
             return Heard("", Understanding((Unknown(),), 1.0, ""))
         likeliest = max(readings, key=lambda one: one.weight)
-        if is_unknown(likeliest.meant):
-            return _as_heard(likeliest, 1.0)
+        if is_unknown(likeliest.meant) or likeliest.meant.confidence < ASKABLE:
+            nothing = Understanding((Unknown(),), SURE, likeliest.text)
+            return Heard(likeliest.text, nothing, likeliest.recognizer)
         return _as_heard(likeliest, DOUBT)
 
 

@@ -1,7 +1,9 @@
 """Train the stop spotter's classifier on synthesized voices and noise.
 
 Run ``python -m assistant.shells.voice.train_spotter`` where espeak-ng and flite are installed
-(and, for one more voice, Piper). Voices for the held-out figures are never trained on.
+(and, for livelier voices, Piper with the model named by ``--piper``). Voices for the figures are
+never trained on; Piper's are trained on for the weights that are kept, but the figures told for
+them come from weights trained without any of Piper's.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from math import sqrt
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +21,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assistant.shells.voice.mouth import Mouth, Voice
-from assistant.shells.voice.sound import RATE_HZ, Samples, read_sound
+from assistant.shells.voice.sound import RATE_HZ, Samples, read_sound, to_16k_mono
 from assistant.shells.voice.spotter import HOP, WEIGHTS, Embedder, Features, stacked
 
+COPIES = 4
 STOPS = ("stop", "stop it", "stop now", "please stop", "no stop", "stop stop")
 OTHERS = (
     "step", "first step", "next step", "start", "top", "shop", "stock", "star", "stuff", "spot",
@@ -31,6 +35,8 @@ OTHERS = (
     "again", "pause", "go on", "help", "undo that", "two centimetres up", "that is right", "steep",
     "the weather is nice today", "did you see the game last night", "I need to buy some apples",
     "a story about a stone", "he studies at the station", "studio", "strap", "swap them", "drop it",
+    "story", "stone", "stack", "still", "study", "store", "stand up", "the top", "a shop", "hop",
+    "not", "lot", "that spot", "hot soup", "chop it", "cop", "pop", "it starts now", "step up",
 )  # fmt: skip
 _TRAINED_VARIANTS = (
     "", "f1", "f2", "f4", "m1", "m3", "m5", "m7", "Andrea", "Andy", "Annie", "Denis", "Gene", "Lee",
@@ -41,79 +47,152 @@ _HELD_OUT_VARIANTS = ("f3", "f5", "m2", "m4", "m6", "David", "Alicia", "belinda"
 _ACCENTS = ("en-us", "en-gb", "en-gb-scotland", "en-gb-x-rp", "en-029")
 
 
+_PITCHES = (0.85, 0.92, 1.06, 1.14, 1.22)
+_SLOWNESSES = (0.85, 1.0, 1.2)
+THRESHOLDS = (0.5, 0.7, 0.8, 0.9, 0.95)
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Examples:
-    """Stacked embeddings and what each is an example of (1 for stop)."""
-
-    features: Features
-    labels: NDArray[np.float32]
-
-
-def voices(held_out: bool, piper: Sequence[str] = ()) -> tuple[Voice, ...]:
-    """Return synthesized speakers to train on, or those kept for the figures.
+    """Stacked embeddings, what each is an example of (1 for stop), and the clip it is from.
 
     Parameters
     ----------
-    held_out : bool
-    piper : sequence of str
-        Piper model files to train on as well.
+    features : array, shape (n, 288)
+    labels : array, shape (n,)
+        1 where stop has just been said, 0 where it was not said; -1 in between.
+    clips : array of int, shape (n,)
+    late_s : array, shape (n,)
+        Since the end of the clip's speech.
     """
+
+    features: Features
+    labels: NDArray[np.float32]
+    clips: NDArray[np.int64]
+    late_s: NDArray[np.float64]
+
+    def and_those(self, other: Examples) -> Examples:
+        """Return these examples and others."""
+        return Examples(
+            np.concatenate([self.features, other.features]),
+            np.concatenate([self.labels, other.labels]),
+            np.concatenate([self.clips, other.clips + self.clips.max() + 1]),
+            np.concatenate([self.late_s, other.late_s]),
+        )
+
+
+def voices(held_out: bool) -> tuple[Voice, ...]:
+    """Return speakers of espeak-ng and flite to train on, or those kept for the figures."""
     variants = _HELD_OUT_VARIANTS if held_out else _TRAINED_VARIANTS
     told = [
-        Voice("espeak-ng", f"{_ACCENTS[at % len(_ACCENTS)]}+{variant}".rstrip("+"), rate)
+        Voice(
+            "espeak-ng",
+            f"{_ACCENTS[at % len(_ACCENTS)]}+{variant}".rstrip("+"),
+            140 + 15 * (at % 4),
+        )
         for at, variant in enumerate(variants)
-        for rate in ((160,) if held_out else (130, 180))
     ]
     flite = ("rms",) if held_out else ("slt", "awb", "kal")
     told += [Voice("flite", name, rate) for name in flite for rate in (135, 165, 195)]
-    told += [Voice("piper", model) for model in piper]
     return tuple(told)
 
 
-def spoken(voice: Voice, sentences: Sequence[str], folder: Path) -> Iterator[Samples]:
-    """Yield each sentence as this voice speaks it, silence at both ends cut off."""
+def spoken(voice: Voice, sentences: Sequence[str]) -> Iterator[Samples]:
+    """Yield each sentence as this voice speaks it."""
     mouth = Mouth(voice)
-    for sentence in sentences:
-        mouth.write(sentence, folder / "spoken.wav")
-        samples = read_sound(folder / "spoken.wav").samples
-        loud = np.flatnonzero(np.abs(samples) > 0.02 * np.max(np.abs(samples)))
-        yield samples[loud[0] : loud[-1] + 1]
+    with tempfile.TemporaryDirectory() as folder:
+        for sentence in sentences:
+            mouth.write(sentence, Path(folder) / "spoken.wav")
+            yield _bare(read_sound(Path(folder) / "spoken.wav").samples)
+
+
+def spoken_by_piper(model: Any, pitch: float, slowness: float, said: str) -> Samples:
+    """Return a sentence by Piper; read at another rate, its voice is higher or lower."""
+    from piper import SynthesisConfig
+
+    config = SynthesisConfig(length_scale=slowness * pitch, noise_scale=0.8, noise_w_scale=0.9)
+    pieces = list(model.synthesize(said, config))
+    told = np.concatenate([piece.audio_float_array for piece in pieces])
+    rate_hz = round(pieces[0].sample_rate * pitch / 50) * 50
+    return _bare(to_16k_mono(told, rate_hz))
+
+
+def _bare(samples: Samples) -> Samples:
+    """Return a sentence without the silence at its ends."""
+    loud = np.flatnonzero(np.abs(samples) > 0.02 * np.max(np.abs(samples)))
+    return samples[loud[0] : loud[-1] + 1]
 
 
 def examples(
-    speakers: Sequence[Voice], embed: Embedder, rng: np.random.Generator, copies: int
+    sentences: Iterator[tuple[bool, Samples]], embed: Embedder, rng: np.random.Generator
 ) -> Examples:
-    """Return embeddings around the ends of sentences, in rooms of several noises."""
-    features: list[Features] = []
+    """Return embeddings around the ends of sentences, in rooms of several noises.
+
+    Parameters
+    ----------
+    sentences : iterator of (bool, array)
+        Whether it says stop, and its sound.
+    embed : Embedder
+    rng : Generator
+    """
+    rows: list[Features] = []
     labels: list[NDArray[np.float32]] = []
-    with tempfile.TemporaryDirectory() as folder:
-        for voice in speakers:
-            for at, samples in enumerate(spoken(voice, (*STOPS, *OTHERS), Path(folder))):
-                for _ in range(copies * (4 if at < len(STOPS) else 1)):
-                    rows, marks = _one(samples, at < len(STOPS), embed, rng)
-                    features.append(rows)
-                    labels.append(marks)
-            sys.stderr.write(f"{voice.engine} {voice.name}: {len(features)} clips\n")
-    return Examples(np.concatenate(features), np.concatenate(labels))
+    clips: list[NDArray[np.int64]] = []
+    lates: list[NDArray[np.float64]] = []
+    for is_stop, samples in sentences:
+        for _ in range(COPIES if is_stop else 1):
+            found, late_s = _one(samples, embed, rng)
+            rows.append(found)
+            labels.append(_labels(late_s, is_stop))
+            clips.append(np.full(len(late_s), len(clips)))
+            lates.append(late_s)
+    told = (np.concatenate(labels), np.concatenate(clips), np.concatenate(lates))
+    return Examples(np.concatenate(rows), *told)
+
+
+def by_engines(held_out: bool) -> Iterator[tuple[bool, Samples]]:
+    """Yield every sentence by every speaker of espeak-ng and flite."""
+    for voice in voices(held_out):
+        sys.stderr.write(f"{voice.engine} {voice.name} {voice.words_per_minute}\n")
+        for at, samples in enumerate(spoken(voice, (*STOPS, *OTHERS))):
+            yield at < len(STOPS), samples
+
+
+def by_piper(path: Path, changed: bool) -> Iterator[tuple[bool, Samples]]:
+    """Yield every sentence by Piper, as it is or as several changed speakers."""
+    from piper import PiperVoice
+
+    model = PiperVoice.load(path)
+    ways = [(1.0, slow) for slow in _SLOWNESSES]
+    if changed:
+        ways = [(pitch, _SLOWNESSES[at % 3]) for at, pitch in enumerate(_PITCHES)]
+    for pitch, slowness in ways:
+        sys.stderr.write(f"piper {pitch} {slowness}\n")
+        for at, said in enumerate((*STOPS, *OTHERS)):
+            yield at < len(STOPS), spoken_by_piper(model, pitch, slowness, said)
 
 
 def _one(
-    samples: Samples, is_stop: bool, embed: Embedder, rng: np.random.Generator
-) -> tuple[Features, NDArray[np.float32]]:
+    samples: Samples, embed: Embedder, rng: np.random.Generator
+) -> tuple[Features, NDArray[np.float64]]:
     before = int(rng.uniform(1.0, 1.5) * RATE_HZ)
     after = int(0.5 * RATE_HZ)
     placed = np.concatenate([np.zeros(before), samples, np.zeros(after)])
     placed *= rng.uniform(0.05, 0.9) / np.max(np.abs(placed))
-    noisy = placed + _noise(len(placed), rng) * np.std(samples) * 10 ** rng.uniform(-2.5, -0.4)
+    loud = np.std(placed[before : before + len(samples)])
+    noisy = placed + _noise(len(placed), rng) * loud * 10 ** rng.uniform(-2.0, -0.4)
     rows = stacked(embed(noisy.astype(np.float32)))
     # The last row ends with the sound; each one before ends 80 ms earlier.
     ends = (len(placed) - HOP * np.arange(len(rows))[::-1]) / RATE_HZ
-    late = ends - (before + len(samples)) / RATE_HZ
-    if is_stop:
-        sure = (late > 0.0) & (late < 0.32)
-        unsure = (late > -0.35) & (late < 0.5) & ~sure
-        return rows[~unsure], sure[~unsure].astype(np.float32)
-    return rows, np.zeros(len(rows), dtype=np.float32)
+    return rows, ends - (before + len(samples)) / RATE_HZ
+
+
+def _labels(late_s: NDArray[np.float64], is_stop: bool) -> NDArray[np.float32]:
+    if not is_stop:
+        return np.zeros(len(late_s), dtype=np.float32)
+    sure = (late_s > -0.05) & (late_s < 0.32)
+    unsure = (late_s > -0.4) & (late_s < 0.5) & ~sure
+    return np.where(sure, 1.0, np.where(unsure, -1.0, 0.0)).astype(np.float32)
 
 
 def _noise(count: int, rng: np.random.Generator) -> NDArray[np.float64]:
@@ -165,17 +244,31 @@ def _slopes(
 
 
 def report(told: Examples, weights: dict[str, Any]) -> str:
-    """Return misses and false alarms, by row, at several thresholds."""
+    """Return misses and false alarms by clip, with their intervals, and how late stops are."""
     hidden = np.maximum((told.features - weights["mean"]) / weights["scale"] @ weights["w1"]
                         + weights["b1"], 0.0)  # fmt: skip
     scores = 1.0 / (1.0 + np.exp(-(hidden @ weights["w2"] + weights["b2"])))
-    stop = told.labels > 0.5
-    rows = [
-        f"at {at:.2f}: {np.mean(scores[stop] < at):.3f} missed, "
-        f"{np.mean(scores[~stop] >= at):.5f} false"
-        for at in (0.5, 0.8, 0.9, 0.95, 0.98, 0.99)
-    ]
-    return "\n".join(rows)
+    said = {int(clip) for clip in told.clips[told.labels != 0.0]}
+    return "\n".join(_at(threshold, told, scores, said) for threshold in THRESHOLDS)
+
+
+def _at(threshold: float, told: Examples, scores: NDArray[Any], said: set[int]) -> str:
+    over = scores >= threshold
+    every = {int(clip) for clip in told.clips}
+    spotted = {int(clip) for clip in told.clips[over]}
+    first = {clip: float(told.late_s[over & (told.clips == clip)].min()) for clip in said & spotted}
+    late_s = float(np.median(list(first.values()))) if first else float("nan")
+    missed = _share(len(said - spotted), len(said))
+    false = _share(len(spotted - said), len(every - said))
+    return f"at {threshold:.2f}: missed {missed}, false {false}, median {late_s:+.2f} s late"
+
+
+def _share(count: int, total: int) -> str:
+    """Return a share with Wilson's 95 % interval."""
+    z, share = 1.96, count / total
+    middle = (share + z * z / (2 * total)) / (1 + z * z / total)
+    half = z * sqrt(share * (1 - share) / total + z * z / (4 * total**2)) / (1 + z * z / total)
+    return f"{count}/{total} ({max(middle - half, 0.0):.3f} to {middle + half:.3f})"
 
 
 def main() -> int:
@@ -183,15 +276,20 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=WEIGHTS)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--threshold", type=float, default=0.95)
-    parser.add_argument("--piper", nargs="*", default=(), metavar="MODEL")
+    parser.add_argument("--threshold", type=float, default=0.8)
+    parser.add_argument("--piper", type=Path, metavar="MODEL", help="a Piper model file")
     args = parser.parse_args()
     rng = np.random.default_rng(args.seed)
     embed = Embedder()
-    told = examples(voices(held_out=False, piper=args.piper), embed, rng, copies=1)
+    told = examples(by_engines(held_out=False), embed, rng)
+    kept_apart = examples(by_engines(held_out=True), embed, rng)
+    if args.piper is not None:
+        unseen = examples(by_piper(args.piper, changed=False), embed, rng)
+        without = train(told, rng)
+        sys.stderr.write(f"Piper, never trained on:\n{report(unseen, without)}\n")
+        told = told.and_those(examples(by_piper(args.piper, changed=True), embed, rng))
     weights = train(told, rng)
-    kept_apart = examples(voices(held_out=True), embed, rng, copies=1)
-    sys.stderr.write(report(kept_apart, weights) + "\n")
+    sys.stderr.write(f"espeak-ng and flite kept apart:\n{report(kept_apart, weights)}\n")
     np.savez(args.out, threshold=np.float32(args.threshold), **weights)
     return 0
 
