@@ -49,7 +49,7 @@ class Mover:
         self._waiting = False
         self._pauses = False
         self._is_aside = False
-        self._started_s = 0.0
+        self._started_s = self._lasts_s = 0.0
         self._primitive_at = -1
         self._open_m = 0.0
         self.scene = Scene()
@@ -70,6 +70,11 @@ class Mover:
     def run_s(self) -> float:
         """Simulated time since the motion began."""
         return self.now_s - self._started_s
+
+    @property
+    def left_s(self) -> float:
+        """Simulated time until the motion ends, if nothing comes between."""
+        return max(self._lasts_s - self.run_s, 0.0) if self.moving else 0.0
 
     @property
     def under_way(self) -> bool:
@@ -211,5 +216,6 @@ class Mover:
     def _start(self, motion: JointPath) -> None:
         self._is_aside = self._waiting = False
         self._started_s = self.now_s
+        self._lasts_s = float(motion.t_s[-1])
         self._equipment.arm.start(motion)
         self.moving = True

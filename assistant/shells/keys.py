@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from typing import Any
 
 from prompt_toolkit import Application
@@ -52,10 +53,14 @@ class Driving:
     session : Session
         Watching.
     hand : DrivenHand
+    lock : context manager
+        Held while a sample is taken: words heard beside it take turns.
     """
 
-    def __init__(self, session: Session, hand: DrivenHand) -> None:
-        self._session, self._hand = session, hand
+    def __init__(
+        self, session: Session, hand: DrivenHand, lock: AbstractContextManager[Any]
+    ) -> None:
+        self._session, self._hand, self._lock = session, hand, lock
         self._words: dict[str, Any] = page("terminal", session.language)["driving"]
         self._facing = session.dialogue_view.get("facing") == "facing"
         look = session.mover.look
@@ -90,7 +95,8 @@ class Driving:
         try:
             while self._session.watching is not None and not self._session.left:
                 began_s = time.monotonic()
-                self._session.see(self._hand.tick())
+                with self._lock:
+                    self._session.see(self._hand.tick())
                 await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
         except Exception as error:
             self._error = error

@@ -24,13 +24,11 @@ class Showing:
     ----------
     write : callable
         Takes one line of output.
-    keys : callable, optional
-        Lets the teacher drive the hand by keys; None where there are no keys to read.
+    keys : bool
+        Whether there are keys to drive the hand with.
     """
 
-    def __init__(
-        self, write: Callable[[str], None], keys: Callable[[Session], None] | None = None
-    ) -> None:
+    def __init__(self, write: Callable[[str], None], *, keys: bool = False) -> None:
         self._write = write
         self._keys = keys
         self._offered: object = None
@@ -42,8 +40,12 @@ class Showing:
         self._offered = session.watching
         words = page("terminal", session.language)
         for line in OFFER:
-            if self._keys is not None or line != "offer_keys":
+            if self._keys or line != "offer_keys":
                 self._write(words[line])
+
+    def by_keys(self, session: Session, line: str) -> bool:
+        """Whether the line asks to drive the hand by keys, and that can be done now."""
+        return self._keys and session.watching is not None and line.lower() == "keys"
 
     def take(self, session: Session, line: str) -> bool:
         """Show the task if the line says how; return whether it did."""
@@ -51,9 +53,7 @@ class Showing:
             return False
         scripted = _SCRIPTED.fullmatch(line)
         try:
-            if line.lower() == "keys" and self._keys is not None:
-                self._keys(session)
-            elif scripted:
+            if scripted:
                 seed = int(scripted.group(1) or 0)
                 demonstrate(session, Demonstrate(seed=seed, cues=None), Path())
             elif line.endswith((".csv", ".yaml", ".yml")):

@@ -6,24 +6,23 @@ The arm moves beside the typing; a half-typed sentence stays as it is while the 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
 from pathlib import Path
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
-from prompt_toolkit.completion import CompleteEvent, Completer, Completion
-from prompt_toolkit.document import Document
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.patch_stdout import patch_stdout
 
-from assistant.language.completion import suggestions
 from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.loop import Session
+from assistant.shells.answering import picture, rendered
+from assistant.shells.bar import bar
 from assistant.shells.beside import Beside, Words
+from assistant.shells.completing import Sayable
 from assistant.shells.keys import Driving
 from assistant.shells.pacing import Ticker
 from assistant.shells.showing import Showing
@@ -53,15 +52,22 @@ class TextShell:
         self._session: Session | None = None
         self._ticker: Ticker | None = None
         self._error: BaseException | None = None
-        self._showing = Showing(self._write, self._drive)
+        self._left_known_s: float | None = None
+        self._showing = Showing(self._write, keys=True)
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
+        session = self._session
+        shown = None if session is None else picture(session, line)
+        if session is not None and shown is not None:
+            text = page("terminal", session.language)["pictures"].get(line.topic, text)
         style = STYLES.get(line.act, "")
         first, *more = wrapped(text, columns(), before=NAME)
         write(styled(NAME, NAME_STYLE) + styled(first[len(NAME) :], style))
         for one in more:
             write(styled(one, style))
+        if shown is not None:
+            write(rendered(shown, columns() - 1))
 
     def run(self, session: Session, beside: Beside | None = None) -> None:
         """Hold the conversation until the robot leaves or the terminal closes.
@@ -99,6 +105,10 @@ class TextShell:
             return
         session.raw(text)
         assert self._ticker is not None
+        # Whoever drives by keys may talk meanwhile: the lock is taken for each sample.
+        if self._showing.by_keys(session, text):
+            self._drive(session, self._ticker)
+            text = ""
         with self._ticker.lock:
             if text and not self._showing.take(session, text):
                 session.hear(text)
@@ -111,7 +121,7 @@ class TextShell:
             complete_while_typing=False,
             auto_suggest=AutoSuggestFromHistory(),
             enable_history_search=True,
-            bottom_toolbar=lambda: toolbar(session),
+            bottom_toolbar=lambda: bar(session, self._left_s(session)),
             refresh_interval=REFRESH_S,
             key_bindings=self._keys(session),
         )
@@ -140,26 +150,37 @@ class TextShell:
             if session.left:
                 return
             self._write(f"you: {words.text}")
-            # The keyboard is open already: driving by keys is asked for by typing.
-            by_keys = words.text == "keys"
-            if by_keys or not self._showing.take(session, words.text):
+            if not self._showing.take(session, words.text):
                 session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
             self._showing.offer(session)
         app, loop = prompt.app, prompt.app.loop
         if session.left and loop is not None and app.is_running:
             loop.call_soon_threadsafe(lambda: app.exit(result=""))
 
-    def _drive(self, session: Session) -> None:
+    def _left_s(self, session: Session) -> float | None:
+        """Return for how long the arm still moves; None while it is busy."""
+        if self._ticker is None or not session.moving:
+            return None
+        # Looking at the arm must not come between its ticks, nor wait for them.
+        if self._ticker.lock.acquire(blocking=False):
+            try:
+                self._left_known_s = session.mover.left_s / self._pace
+            finally:
+                self._ticker.lock.release()
+        return self._left_known_s
+
+    def _drive(self, session: Session, ticker: Ticker) -> None:
         mover, driver = session.mover, session.equipment.driver
         words = page("terminal", session.language)
         if driver is None:
             self._write(words["no_keys"])
             return
-        mover.arrange(mover.scene, mover.setup)
+        with ticker.lock:
+            mover.arrange(mover.scene, mover.setup)
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         watching = session.watching
         self._write(words["driving"]["begin"])
-        Driving(session, hand).run()
+        Driving(session, hand, ticker.lock).run()
         if watching is not None:
             self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
 
@@ -175,31 +196,6 @@ def write(text: str) -> None:
     """Write a line above the one being typed; safe from any thread while the prompt is open."""
     sys.stdout.write(f"{text}\n")
     sys.stdout.flush()
-
-
-class Sayable(Completer):
-    """Completes to what can be said now."""
-
-    def __init__(self, session: Session) -> None:
-        self._session = session
-
-    def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
-        """Yield the sentences that go on from what is typed, then those that contain it."""
-        typed = document.text_before_cursor.lstrip().lower()
-        known = suggestions(self._session.listening, self._session.language)
-        first = [text for text in known if text.lower().startswith(typed)]
-        words = [text for text in known if typed in text.lower() and text not in first]
-        for text in (*first, *words):
-            yield Completion(text, start_position=-len(document.text_before_cursor.lstrip()))
-
-
-def toolbar(session: Session) -> str:
-    """Return where the conversation stands: stage, node of the tree, what the arm does."""
-    stage = session.listening.stage
-    view = session.dialogue_view
-    node = str(view.get("at") or session.listening.task or "no task yet")
-    arm = "MOVING - Ctrl-C stops" if session.moving else "arm at rest"
-    return f" {stage} | {node} | {arm} "
 
 
 def _history(path: Path) -> History:

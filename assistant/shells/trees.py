@@ -64,18 +64,23 @@ def _conditions(primitive: Primitive) -> str:
 def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
     """Yield what was learned: source, votes, cuts, episodes, docking, corrections, questions."""
     yield Text(_summary(lesson))
-    if len(lesson.segmentation.vote_t_s) > 1:
-        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks))
-    if lesson.segmentation.points:
-        yield _points(lesson.segmentation.points)
-    if lesson.segmentation.episodes:
-        yield _episodes(lesson)
+    yield from segmentation_views(lesson)
     if lesson.stations:
         yield _stations(lesson.stations)
     yield from (Text(f"correction: {feedback_words(each)}") for each in lesson.feedback)
     for question in lesson.segmentation.questions:
         about = f" about {question.about}" if question.about else ""
         yield Text(f"open question: {question.asked}{about} ({question.reason})", style="yellow")
+
+
+def segmentation_views(lesson: Lesson) -> Iterator[RenderableType]:
+    """Yield the course of the vote, the cuts and the episodes."""
+    if len(lesson.segmentation.vote_t_s) > 1:
+        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks))
+    if lesson.segmentation.points:
+        yield _points(lesson.segmentation.points)
+    if lesson.segmentation.episodes:
+        yield _episodes(lesson)
 
 
 def _summary(lesson: Lesson) -> str:

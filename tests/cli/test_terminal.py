@@ -18,18 +18,18 @@ from assistant.session.opening import chosen
 
 KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and for less of x, y and z."""
-FLAGS = ("--arm", "kinematic", "--pace", "8", "--setup")
+FLAGS = ("--arm", "kinematic", "--pace", "8")
 
 
 class Teacher:
     """Someone at a keyboard who looks where the hand is."""
 
-    def __init__(self, home: Path, setup: Path) -> None:
+    def __init__(self, home: Path, *more: str) -> None:
         self.home = home
         environment = {**os.environ, "ASSISTANT_HOME": str(home), "TERM": "xterm"}
         self.terminal = pexpect.spawn(
             sys.executable,
-            ["-m", "assistant", "teach", *FLAGS, str(setup)],
+            ["-m", "assistant", "teach", *FLAGS, *more],
             env=environment,
             encoding="utf-8",
             timeout=40,
@@ -39,6 +39,11 @@ class Teacher:
     def say(self, text: str, then: str) -> None:
         self.terminal.send(f"{text}\r")
         self.terminal.expect(then)
+
+    def tell_where_the_cursor_is(self) -> None:
+        """Answer as a terminal does; the bar is drawn once that is known."""
+        self.terminal.expect_exact("\x1b[6n")
+        self.terminal.send("\x1b[12;1R")
 
     def hand(self) -> tuple[Array, float]:
         """Return pose and opening as recorded last."""
@@ -128,7 +133,7 @@ def test_a_lesson_shown_by_keys(tmp_path: Path) -> None:
     setup_file = tmp_path / "near.yaml"
     setup_file.write_text(SETUP)
     scene, setup = chosen(SetupChoice(file=str(setup_file)), tmp_path)
-    teacher = Teacher(tmp_path, setup_file)
+    teacher = Teacher(tmp_path, "--setup", str(setup_file))
     teacher.terminal.expect("What is the task called")
     for text, then in TALK:
         teacher.say(text, then)
@@ -148,3 +153,25 @@ def test_a_lesson_shown_by_keys(tmp_path: Path) -> None:
     teacher.terminal.close()
     assert teacher.terminal.exitstatus == 0
     assert (tmp_path / "tasks" / "pick_and_place.yaml").is_file()
+
+
+def test_the_line_completes_remembers_and_has_a_bar_below(tmp_path: Path) -> None:
+    teacher = Teacher(tmp_path)
+    terminal = teacher.terminal
+    teacher.tell_where_the_cursor_is()
+    terminal.expect("introduction.*no task yet.*arm at rest")
+    teacher.say("pick and place", "should be the case")
+    teacher.tell_where_the_cursor_is()
+    terminal.expect("introduction.*pick and place.*arm at rest")
+    terminal.send("what d\t")
+    terminal.expect("id you say")
+    terminal.send("\r")
+    terminal.expect("should be the case")
+    terminal.send("pick\x1b[A")
+    terminal.expect("and place")
+    terminal.send("\x03")
+    terminal.sendeof()
+    terminal.expect("resume 1")
+    terminal.expect(pexpect.EOF)
+    terminal.close()
+    assert terminal.exitstatus == 0

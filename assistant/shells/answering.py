@@ -1,0 +1,121 @@
+"""Answers of the robot that are better seen than read: trees, tables and small pictures."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+
+import numpy as np
+from rich.console import Console, Group, RenderableType
+from rich.table import Table
+from rich.text import Text
+
+from assistant.dialogue.state import Knowledge
+from assistant.files.wording import feedback_words
+from assistant.language.hints import page
+from assistant.model.lesson import LearnedPath, Lesson
+from assistant.model.robot_acts import RobotAct
+from assistant.session.loop import Session
+from assistant.shells import curves
+from assistant.shells.telling import setup_view
+from assistant.shells.trees import segmentation_views, task_tree
+
+ROWS, COLUMNS = 9, 60
+
+
+def picture(session: Session, line: RobotAct) -> RenderableType | None:
+    """Return what to show for a line, None where its sentence tells it best."""
+    if line.act != "told":
+        return None
+    known = session.dialogue.known
+    words = page("terminal", session.language)["tables"]
+    match line.topic:
+        case "tree":
+            return task_tree(known.task)
+        case "plan" | "conditions":
+            return _sentences(session.phrased(line))
+        case "setup" if known.setup.places:
+            return setup_view(known.setup)
+        case _ if known.lesson is not None:
+            return _of_lesson(known, known.lesson, line.topic, words)
+        case _:
+            return None
+
+
+def _of_lesson(
+    known: Knowledge, lesson: Lesson, topic: str, words: dict[str, str]
+) -> RenderableType | None:
+    if topic == "episodes":
+        return Group(*segmentation_views(lesson))
+    if topic == "corrections":
+        table = Table(box=None, pad_edge=False)
+        for heading in ("number", "correction"):
+            table.add_column(words[heading])
+        for number, each in enumerate(lesson.feedback, start=1):
+            table.add_row(str(number), Text(feedback_words(each)))
+        return table
+    path = lesson.path
+    if topic == "trajectory" and path is not None:
+        spots = tuple((station.frame, station.at) for station in lesson.stations)
+        return curves.Picture(lambda blocks: path_picture(path, spots, words, blocks))
+    return None
+
+
+def _sentences(text: str) -> Table:
+    """Return numbered sentences as a table, so that long ones hang below themselves."""
+    table = Table(box=None, pad_edge=False, show_header=False)
+    table.add_column(no_wrap=True, justify="right")
+    table.add_column()
+    for line in text.split("\n"):
+        number, dot, told = line.partition(". ")
+        table.add_row(f"{number}." if dot else "", Text(told if dot else line))
+    return table
+
+
+def path_picture(
+    path: LearnedPath, spots: tuple[tuple[str, int], ...], words: dict[str, str], blocks: str
+) -> str:
+    """Return the learned path from above (x up, y to the left) and its height over time.
+
+    Parameters
+    ----------
+    path : LearnedPath
+    spots : tuple of (name, sample)
+        Places to mark by the first letter of their names.
+    words : mapping
+    blocks : str
+        Characters for bars.
+    """
+    xyz_mm = 1000.0 * path.path[:, :3]
+    low, high = xyz_mm.min(axis=0), xyz_mm.max(axis=0)
+    share = (high - xyz_mm) / np.maximum(high - low, 1.0)
+    cells = np.round(share[:, :2] * np.array([ROWS - 1, COLUMNS - 1])).astype(int)
+    drawn = [[" "] * COLUMNS for _ in range(ROWS)]
+    for row, column in cells:
+        drawn[row][column] = "."
+    for name, at in spots:
+        row, column = cells[min(at, len(cells) - 1)]
+        drawn[row][column] = name[:1].upper()
+    extent = {"x": round(high[0] - low[0]), "y": round(high[1] - low[1])}
+    lines = [words["path"].format(**extent), *("".join(line).rstrip() for line in drawn)]
+    lines.append(words["height"].format(low=round(low[2]), high=round(high[2])))
+    heights = curves.sampled(path.t_s, xyz_mm[:, 2] - low[2], COLUMNS)
+    lines += curves.bars(heights, rows=3, blocks=blocks)
+    return "\n".join([*lines, curves.axis(path.t_s, COLUMNS)])
+
+
+def rendered(shown: RenderableType, width: int) -> str:
+    """Return text of at most `width` columns, with colors unless they are not wanted."""
+    console = Console(
+        file=io.StringIO(),
+        force_terminal=not os.environ.get("NO_COLOR"),
+        color_system=None if os.environ.get("NO_COLOR") else "standard",
+        width=width,
+        highlight=False,
+    )
+    with console.capture() as captured:
+        console.print(shown)
+    encoding = sys.stdout.encoding or "utf-8"
+    text = captured.get().encode(encoding, "replace").decode(encoding)
+    return "\n".join(line.rstrip() for line in text.rstrip().split("\n"))

@@ -1,0 +1,60 @@
+"""Completion of what can be said now: whole sentences, the task's own names, files to show."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
+from prompt_toolkit.document import Document
+
+from assistant.language.completion import suggestions
+from assistant.session.loop import Session
+
+SHOWN = (".csv", ".yaml", ".yml")
+WAYS_TO_SHOW = ("keys", "scripted hand")
+
+
+class Sayable(Completer):
+    """Completes to what can be said now."""
+
+    def __init__(self, session: Session) -> None:
+        self._session = session
+        self._files = PathCompleter(expanduser=True, file_filter=_showable)
+
+    def get_completions(self, document: Document, event: CompleteEvent) -> Iterable[Completion]:
+        """Yield sentences that go on from what is typed, names, then sentences that hold it."""
+        typed = document.text_before_cursor.lstrip()
+        watching = self._session.watching is not None
+        known = suggestions(self._session.listening, self._session.language)
+        known = (*WAYS_TO_SHOW, *known) if watching else known
+        lowered = typed.lower()
+        first = [text for text in known if text.lower().startswith(lowered)]
+        inside = [text for text in known if lowered in text.lower() and text not in first]
+        yield from (Completion(text, start_position=-len(typed)) for text in first)
+        if typed:
+            yield from named(typed, self._names())
+        yield from (Completion(text, start_position=-len(typed)) for text in inside)
+        if watching and typed:
+            yield from self._files.get_completions(document, event)
+
+    def _names(self) -> tuple[str, ...]:
+        listening = self._session.listening
+        saved = self._session.dialogue_view.get("saved", ())
+        return tuple(dict.fromkeys((*listening.subtasks, *listening.objects, *saved)))
+
+
+def named(typed: str, names: Iterable[str]) -> Iterator[Completion]:
+    """Yield the names that go on from the last words of what is typed."""
+    lowered = typed.lower()
+    starts = [at for at in range(len(typed)) if at == 0 or not typed[at - 1].isalnum()]
+    for name in names:
+        for at in starts:
+            begun = lowered[at:]
+            if begun.strip() and name.lower().startswith(begun) and name.lower() != begun:
+                yield Completion(name, start_position=-len(begun))
+                break
+
+
+def _showable(name: str) -> bool:
+    return Path(name).is_dir() or name.endswith(SHOWN)

@@ -1,0 +1,55 @@
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from assistant.model.robot_acts import RobotAct
+from assistant.session.loop import Session
+from assistant.shells.answering import picture, rendered
+from tests.session.lessons import Heard, hold, opened
+
+
+@pytest.fixture(scope="module")
+def taught(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Session, Heard]]:
+    heard = Heard()
+    session = opened(tmp_path_factory.mktemp("home"), heard)
+    hold(session)
+    yield session, heard
+    session.close()
+
+
+@pytest.mark.parametrize(
+    ("words", "seen"),
+    [
+        ("show me the tree", ["1.1 approach object", "2.2 place object on target"]),
+        ("show the segmentation", ["votes", "at s", "approach object"]),
+        ("show the trajectory", ["path from above", "height", "T"]),
+        ("show the plan", ["1.  approach object", "5.  place object on target"]),
+        ("show the setup", ["robot start", "block"]),
+    ],
+)
+def test_what_is_asked_for_is_drawn(
+    taught: tuple[Session, Heard], words: str, seen: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    session, heard = taught
+    before = len(heard.lines)
+    session.hear(words)
+    drawn = [picture(session, line) for line, _ in heard.lines[before:]]
+    text = "\n".join(rendered(each, 70) for each in drawn if each is not None)
+    assert [each for each in seen if each not in text] == []
+    assert max(map(len, text.split("\n"))) <= 70
+
+
+def test_other_lines_are_sentences(taught: tuple[Session, Heard]) -> None:
+    session, _ = taught
+    assert picture(session, RobotAct("ask", "goal", "goal")) is None
+    assert picture(session, RobotAct("told", "brief")) is None
+
+
+def test_before_anything_was_shown_there_is_nothing_to_draw(tmp_path: Path) -> None:
+    session = opened(tmp_path)
+    assert picture(session, RobotAct("told", "trajectory")) is None
+    session.close()
