@@ -24,6 +24,7 @@ from sim.measures import finished
 from sim.playback import Playback, planned_reports
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
+from sim.touching import Trace, allowed_at
 from sim.world import CONTROL_S, EASE_S, EASED, STILL_M, STILL_TICKS, Allowed, Fault, World
 
 NOT_WHERE_PLANNED_RAD = np.deg2rad(1.0)
@@ -82,6 +83,7 @@ class SimulatedArm:
         self._grip = 1.0
         self._offset: Array = np.array(IDENTITY)
         self._released: list[HandStop] = []
+        self._trace = Trace()
         self._told_samples: list[tuple[int, ArmReport]] = []
 
     def arrange(self, scene: Scene, setup: Setup) -> None:
@@ -158,7 +160,10 @@ class SimulatedArm:
             self._look_again(playback)
             self._q, self._hand = playback.now()
             self._ease_early(playback)
-        fault = self.world.step(self._q, self._hand, self._opening_m, self._allowed(playback))
+        stops, sample = playback.motion.stops, playback.sample
+        allowed = allowed_at(stops, sample, self._carried, self._grip)
+        fault = self.world.step(self._q, self._hand, self._opening_m, allowed)
+        self._trace.see(stops, sample, self._carried, self.world)
         self._now_s += CONTROL_S
         told = self._passed(playback)
         if fault is None and self._carried and not acting and self._grip == 1.0:
@@ -182,12 +187,6 @@ class SimulatedArm:
             return
         if stop.docking_at < playback.sample and playback.stands:
             self._ease()
-
-    def _allowed(self, playback: Playback) -> Allowed:
-        sample = playback.sample
-        near = [s for s in playback.motion.stops if s.docking_at <= sample <= s.left_at]
-        name = near[0].object if near else self._carried
-        return Allowed(name, bool(near) or not self._carried, self._grip)
 
     def _lost_grip(self) -> Fault | None:
         self._lost = 0 if self.world.held() == self._carried else self._lost + 1
@@ -297,4 +296,4 @@ class SimulatedArm:
         self._playback = None
         touched = [stop for stop in playback.motion.stops if stop.kind == "touch"]
         stops, told = [*self._released, *touched], self._report("finished")
-        return finished(told, self._scene, self._setup, stops, self.world.bodies())
+        return finished(told, self._scene, self._setup, stops, self.world.bodies(), self._trace)

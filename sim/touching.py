@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,6 +12,7 @@ from assistant.geometry import Array, compose, inverse, relative, transform_poin
 from assistant.model.motion import HandStop
 from sim.a465 import GRIPPER
 from sim.shapes import Boxes
+from sim.world import Allowed, World
 
 
 def in_touch(stops: Sequence[HandStop]) -> tuple[HandStop, ...]:
@@ -32,6 +33,32 @@ def in_touch(stops: Sequence[HandStop]) -> tuple[HandStop, ...]:
 def pushes(stop: HandStop) -> bool:
     """Return whether a stop is where a body is brought without the gripper."""
     return stop.kind == "touch" and stop.object != stop.frame
+
+
+def allowed_at(stops: Sequence[HandStop], sample: int, carried: str, grip: float) -> Allowed:
+    """Return which contacts belong to the plan at a sample of a motion."""
+    near = [stop for stop in stops if stop.docking_at <= sample <= stop.left_at]
+    name = near[0].object if near else carried
+    return Allowed(name, bool(near) or not carried, grip)
+
+
+@dataclass(slots=True)
+class Trace:
+    """Where a body in the hand has been while something was done with it at a target.
+
+    Parameters
+    ----------
+    poses : dict of target to list of array, shape (7,)
+        Of the body's base, once a control tick.
+    """
+
+    poses: dict[str, list[Array]] = field(default_factory=dict)
+
+    def see(self, stops: Sequence[HandStop], sample: int, carried: str, world: World) -> None:
+        """Add where the body is now, if this is such a place."""
+        for stop in stops:
+            if pushes(stop) and stop.object == carried and stop.docking_at <= sample <= stop.at:
+                self.poses.setdefault(stop.frame, []).append(world.bodies()[carried])
 
 
 def push_begin(stops: Sequence[HandStop], push: HandStop) -> int:

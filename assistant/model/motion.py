@@ -153,7 +153,8 @@ class Measure:
     Parameters
     ----------
     kind : str
-        ``depth`` of an object in a hole; ``edge``, how far a pushed object's edge is from a line.
+        ``depth`` of an object in a hole; ``edge``, how far a pushed object's edge is from a line;
+        ``covered``, how much of a mark was wiped.
     object, target : str
     value : float
     unit : str
@@ -161,7 +162,7 @@ class Measure:
         Whether that counts as success.
     """
 
-    kind: Literal["depth", "edge"]
+    kind: Literal["depth", "edge", "covered"]
     object: str
     target: str
     value: float

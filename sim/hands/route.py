@@ -21,6 +21,7 @@ from sim.alignment import place_on, told_bodies
 DOCK_BACK_M = 0.07
 DOCK_ABOVE_M = 0.04
 DOCK_OVER_HOLE_M = 0.02
+OVER_MARK_M = (0.0, 0.0, 0.03)
 COME_FROM_M = (-0.06, 0.0, 0.07)
 """On the way to a docking pose, seen from it: further back and higher."""
 OVER_M = 0.09
@@ -135,6 +136,8 @@ def _carry_out(way: _Way, primitive: Primitive) -> None:
         case ("turn", direction) if direction in TURN_AXES:
             turn = quat_from_rotvec(TURN_RAD * np.array(TURN_AXES[direction]))
             way.go(compose(way.hand, np.concatenate([np.zeros(3), turn])), "reach")
+        case ("free", _) if known and way.held and known != way.held:
+            _wipe(way, known)
         case ("free", _) if known and known != way.held:
             _push(way, known)
         case _:
@@ -159,6 +162,20 @@ def _approach(way: _Way, name: str) -> None:
 def _push(way: _Way, name: str) -> None:
     goal = way.scene.hand_pose(name, way.setup.places[name])
     way.go(goal, "careful", f"the {way.near} is at the {name}")
+
+
+def _wipe(way: _Way, name: str) -> None:
+    """Go over a mark in rows, there and back, what is held resting on it."""
+    middle, mark, held = way.release_pose(name), way.scene.bodies[name], way.scene.bodies[way.held]
+    reach = [max(mark.size_mm[k] - held.size_mm[k], 0.0) / 2000.0 for k in (0, 1)]
+    rows = int(np.ceil(mark.size_mm[0] / held.size_mm[0]))
+    lines = np.linspace(-reach[0], reach[0], rows) if rows > 1 else np.zeros(1)
+    way.go(_moved(compose(middle, _shift(lines[0], -reach[1], 0.0)), OVER_MARK_M), "careful")
+    side = -reach[1]
+    for line in (*lines, *lines[::-1]):
+        way.go(compose(middle, _shift(float(line), side, 0.0)), "careful")
+        side = -side
+        way.go(compose(middle, _shift(float(line), side, 0.0)), "careful")
 
 
 def _close(way: _Way, name: str) -> None:

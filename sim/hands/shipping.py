@@ -40,6 +40,7 @@ SHIPPED = (
     ("sorting", "sorting", 5),
     ("insertion", "insertion", 3),
     ("pushing", "pushing", 4),
+    ("wiping", "wiping", 6),
 )
 """Task, setup and seed of each."""
 LAST_FIRST = ("sorting",)

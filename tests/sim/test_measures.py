@@ -10,7 +10,7 @@ from hypothesis import strategies as some
 from assistant.geometry import IDENTITY, pose_from_mm_deg
 from assistant.model.scene import Body
 from sim.bullet_bodies import holed
-from sim.measures import depth, edge
+from sim.measures import covered, depth, edge
 
 SOCKET = Body("socket", size_mm=(80.0, 70.0, 60.0), hole_mm=(30.0, 20.0, 50.0), mass_kg=0.0)
 
@@ -64,3 +64,23 @@ def test_the_nearest_edge_counts_at_a_line(
 def test_a_box_that_is_skew_is_not_at_the_line() -> None:
     box, line = Body("box", size_mm=(60.0, 120.0, 90.0)), Body("line", size_mm=(4.0, 400.0, 0.0))
     assert not edge(box, line, pose_from_mm_deg((-30.0, 0.0, 0.0), (0.0, 0.0, 5.0))).good
+
+
+@pytest.mark.parametrize(
+    ("width_mm", "height_mm", "percent"),
+    [(100.0, 0.0, 100.0), (50.0, 0.0, 50.0), (100.0, 5.0, 0.0)],
+)
+def test_a_mark_is_covered_where_the_base_was_close(
+    width_mm: float, height_mm: float, percent: float
+) -> None:
+    board, sponge = (
+        Body("board", size_mm=(40.0, 200.0, 0.0)),
+        Body("sponge", size_mm=(40.0, 40.0, 90.0)),
+    )
+    way = [
+        pose_from_mm_deg((0.0, y, height_mm), (0.0, 0.0, 0.0)) for y in np.linspace(-80.0, 80.0, 33)
+    ]
+    kept = [pose for pose in way if pose[1] <= -0.08 + (2.0 * width_mm - 40.0) / 1000.0 + 1e-9]
+    found = covered(sponge, board, np.array(kept))
+    assert found.value == pytest.approx(percent, abs=2.5)
+    assert found.good is (percent == 100.0)
