@@ -73,7 +73,7 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
     for start, end in pairwise((0, *cuts, len(words))):
         part = words[start + (words[start].text in _PARTING) : end]
         parse = clause(part, hearing) if part else None
-        if parse is not None and parse.score >= ACTING and not isinstance(parse.acts[0], _IDLE):
+        if parse is not None and parse.score >= 0.78 and not isinstance(parse.acts[0], _IDLE):
             found.extend(parse.acts)
         missed += parse is None or parse.score < ACTING
     acts = tuple(dict.fromkeys(found))

@@ -197,7 +197,7 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     if hearing.listening.stage != "demonstration":
         return None
     lists = hearing.book.answer_words
-    marked = False
+    marked, words_before = False, words
     while (cut := _marker(words, lists["key_markers"])) and len(words) > cut:
         words, marked = words[cut:], True
     texts = texts_of(words)
@@ -207,7 +207,8 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
     concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
-    concerned = concerned or (marked and bool(set(texts) & verbs - weak) and len(texts) > 3)
+    calling = words_before and words_before[0].text in _CALLING
+    concerned = concerned or (calling and bool(set(texts) & verbs - weak) and len(texts) > 3)
     if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
         return None
     asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
@@ -216,6 +217,11 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     if texts[0] in ("i", "we", "my"):
         return Parse((KeyState(said(words)),), DOUBTFUL)
     return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
+
+
+_CALLING = frozenset(
+    ("look", "see", "watch", "note", "notice", "observe", "attention", "careful", "mind", "mark")
+)
 
 
 def _stated_now(texts: Phrase) -> bool:

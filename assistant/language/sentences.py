@@ -32,6 +32,9 @@ _NO_NAMES = (
     "no ",
     "ok ",
 )
+_BEFORE_NAMES = frozenset(
+    ("of", "to", "on", "in", "think", "reckon", "suppose", "guess", "believe")
+)
 _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 
 
@@ -159,8 +162,8 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
 
 def _trimmed(words: Words, hearing: Hearing) -> Words:
     """Take words no name begins or ends with off its ends: "of lifting", "gripping always"."""
-    ends = hearing.book.impure | {"of"}
-    while len(words) > 1 and words[0].text in ends:
+    ends = hearing.book.impure
+    while len(words) > 1 and words[0].text in ends | _BEFORE_NAMES:
         words = words[1:]
     while len(words) > 1 and words[-1].text in ends:
         words = words[:-1]

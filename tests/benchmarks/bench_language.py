@@ -1,10 +1,15 @@
-"""How well teachers are understood: acts and slots right, by speaker, against hassil alone.
+"""How well teachers are understood: acts and slots right, and how often sure and wrong.
 
-run: python -m tests.benchmarks.bench_language [--show]
+Every corpus of the repository was tuned on after a first look at it: what it shows is that
+nothing was lost. Figures of sentences nobody tuned on come from a file kept apart.
+
+run: python -m tests.benchmarks.bench_language [--show] [NAME or FILE.yaml ...]
 """
 
 from __future__ import annotations
 
+import math
+import re
 import statistics
 import sys
 import time
@@ -26,7 +31,7 @@ STAGES: dict[str, Stage] = {
     "l": "learning",
     "p": "practice",
 }
-FILES = ("tuning", "unseen", "unseen2", "unseen3", "unseen4")
+FILES = ("tuning", *(f"tuning{number}" for number in range(2, 8)))
 SURE = 0.85
 
 
@@ -41,7 +46,7 @@ class Row:
 
 
 def rows(file: str) -> Iterator[Row]:
-    """Read the sentences of a corpus file."""
+    """Read the sentences of a corpus file, or of any file named by its whole path."""
     speakers = cast("Mapping[str, str]", read_file(CORPUS / file)[0].value)
     for speaker, lines in speakers.items():
         for line in lines.splitlines():
@@ -93,7 +98,20 @@ def _alike(a: Any, b: Any) -> bool:
         return len(a) == len(b) and all(_alike(x, y) for x, y in zip(a, b, strict=True))
     if isinstance(a, float) and isinstance(b, int | float):
         return abs(a - b) <= 1e-6 * max(1.0, abs(a))
-    return str(a) == str(b)
+    return _letters(str(a)) == _letters(str(b))
+
+
+def _letters(text: str) -> str:
+    """Return a text as it is compared: how it is written in capitals and commas is no meaning."""
+    return " ".join(re.sub(r"[,;:.!?]+(?=\s|$)", " ", text).lower().split())
+
+
+def interval(count: int, total: int) -> tuple[float, float]:
+    """Return the 95 % interval (Wilson) of a share."""
+    z, share = 1.96, count / total
+    middle = (share + z * z / (2 * total)) / (1 + z * z / total)
+    half = z * math.sqrt(share * (1 - share) / total + z * z / (4 * total**2)) / (1 + z * z / total)
+    return max(0.0, middle - half), min(1.0, middle + half)
 
 
 def report(name: str, file: str, *, show: bool) -> None:
@@ -119,9 +137,15 @@ def report(name: str, file: str, *, show: bool) -> None:
     p95 = took[int(0.95 * len(took))] * 1e3
     median = statistics.median(took) * 1e3
     print(
-        f"{name:<8} n={total:<4} right {right / total:.3f}  wrong and sure {wrong_sure / total:.4f}"
+        f"{name:<8} n={total:<4} right {right / total:.3f} ({_told(right, total)})"
+        f"  wrong and sure {wrong_sure / total:.4f} ({_told(wrong_sure, total)})"
         f"  sure {sure / total:.2f}  median {median:.2f} ms  p95 {p95:.1f} ms"
     )
+
+
+def _told(count: int, total: int) -> str:
+    low, high = interval(count, total)
+    return f"{low:.3f}..{high:.3f}"
 
 
 def main() -> None:
@@ -130,8 +154,9 @@ def main() -> None:
     began = time.perf_counter()
     phrasebook()
     print(f"loading {time.perf_counter() - began:.2f} s")
-    for name in [one for one in FILES if one in sys.argv] or FILES:
-        report(name, f"{name}.yaml", show=show)
+    for name in [one for one in sys.argv[1:] if not one.startswith("-")] or FILES:
+        file = name if name.endswith(".yaml") else f"{name}.yaml"
+        report(Path(name).stem, file, show=show)
 
 
 if __name__ == "__main__":

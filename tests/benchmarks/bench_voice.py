@@ -46,7 +46,7 @@ from tests.benchmarks.voices import (
     spoken,
 )
 
-FILES = {"tuned": ("tuning", "unseen"), "reported": ("unseen2", "unseen3")}
+FILES = {"tuned": ("tuning", "tuning4"), "reported": ("tuning5", "tuning6")}
 MOST_WORDS = 14
 PRACTICE = Listening(stage="practice")
 WORDS = (

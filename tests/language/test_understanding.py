@@ -9,7 +9,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import ASKED, STAGES, Stop, Unknown, act_to_json
 from assistant.plain_yaml import read_file
-from tests.benchmarks.bench_language import CORPUS, Row, rows, same
+from tests.benchmarks.bench_language import CORPUS, FILES, Row, rows, same
 
 NAMES = ("pick up object", "approach object", "grasp object", "move up object")
 
@@ -19,13 +19,13 @@ def heard(text: str, **where: Any) -> list[dict[str, Any]]:
     return [act_to_json(act) for act in understand(text, listening).acts]
 
 
-@pytest.mark.parametrize("file", ["tuning.yaml", "unseen.yaml", "unseen2.yaml", "unseen3.yaml"])
+@pytest.mark.parametrize("file", [f"{name}.yaml" for name in FILES])
 def test_nearly_all_sentences_of_the_corpus_are_understood(file: str) -> None:
     wrong = [row for row in rows(file) if not _right(row)]
     assert len(wrong) <= 0.05 * len(list(rows(file))), [row.text for row in wrong]
 
 
-@pytest.mark.parametrize("file", ["tuning.yaml", "unseen.yaml", "unseen2.yaml", "unseen3.yaml"])
+@pytest.mark.parametrize("file", [f"{name}.yaml" for name in FILES])
 def test_what_is_acted_on_is_right(file: str) -> None:
     sure = [row for row in rows(file) if understand(row.text, row.listening).confidence >= 0.85]
     wrong = [row.text for row in sure if not _right(row)]
