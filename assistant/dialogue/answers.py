@@ -184,7 +184,8 @@ def _action(known: Knowledge, index: Index, value: Value) -> Answered:
         return Answered(with_action(known, index, _free(known, text, reading.mentioned)))
     action = reading.action
     if not reading.mentioned:
-        named = read_action(node.name, known.objects or ()).mentioned
+        spoken = read_action(node.name, known.objects or ()).mentioned
+        named = [name for name in spoken if name.lower() in node.name.lower()]
         action = replace(action, object=named[-1] if named else action.object)
     return Answered(with_action(known, index, action))
 

@@ -8,10 +8,10 @@ from dataclasses import replace
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
-from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.naming import listed_steps, things_in, tidy_name
 from assistant.dialogue.replying import in_state
-from assistant.dialogue.sketch import Sketch, with_parts
+from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -29,6 +29,8 @@ from assistant.language.asides import (
     is_greeting,
     is_puzzled,
     is_thanks,
+    mended,
+    recounted,
     taught,
 )
 from assistant.language.hints import hints, matter, mentions
@@ -76,7 +78,7 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
         return None
     known = dialogue.known
     part = "naming_task" if state.asked in ("subtask_name", "actions", "which") else "naming"
-    name = after(words.text, part)
+    name = mended(after(words.text, part))
     if name and state.asked == "task_name":
         return in_state(dialogue, acts.Inform(name), replace(words, text=name))
     if name and known.name:
@@ -85,6 +87,7 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
         _late_goal(dialogue, state, words)
         or _late_thing(dialogue, state, words)
         or _early_steps(dialogue, state, words)
+        or _late_count(dialogue, state, words)
     )
 
 
@@ -109,6 +112,18 @@ def _late_thing(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | 
     more: Knowledge = replace(known, objects=(*known.objects, *new))
     told = line("done", "things", names=[one.name for one in new])
     return first(say(dialogue, told)[1], proceed(changed(dialogue, "objects", more)))
+
+
+def _late_count(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
+    """Take another number of steps where the name of one is asked for."""
+    count = recounted(words.text)
+    if state.asked != "subtask_name" or not count or count > MOST_PARTS:
+        return None
+    parent, known = state.index[:-1], dialogue.known
+    root = put(known.root, parent, counted(at(known.root, parent), count))
+    told = line("done", "counted", count=count)
+    counting = changed(dialogue, "subtask_count", replace(known, root=root))
+    return first(say(dialogue, told)[1], proceed(counting))
 
 
 def _early_steps(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:

@@ -26,9 +26,11 @@ from assistant.model.lesson import Question
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.settings import PracticeSettings
 from assistant.model.task import Index
-from assistant.model.teacher_acts import Stage
+from assistant.model.teacher_acts import Asked, Stage
 
 PRACTICE = PracticeSettings()
+UNSURE = "unsure_cut"
+"""Why learning asks about a cut that it has only little faith in."""
 
 
 def stage(dialogue: Dialogue) -> Stage:
@@ -89,7 +91,9 @@ def review_question(known: Knowledge, open_question: Question | None) -> RobotAc
     """Return a question of learning as a line; with none open, whether all of it is right."""
     if open_question is None:
         task = About(known.name)
-        return line("confirm", "segmentation", asked="confirm_segmentation", about=task)
+        asked_of_all: Asked = "confirm_segmentation"
+        unsure = unsure_ends(known)
+        return line("confirm", "segmentation", asked=asked_of_all, about=task, unsure=unsure)
     asked: Any = open_question.asked
     act: Any = "confirm" if asked in ("confirm_segmentation", "optional", "order") else "ask"
     index = index_of(known, open_question.about)
@@ -100,6 +104,12 @@ def review_question(known: Knowledge, open_question: Question | None) -> RobotAc
         About(open_question.about, index),
         {**open_question.facts, "name": open_question.about},
     )
+
+
+def unsure_ends(known: Knowledge) -> list[str]:
+    """Return the names of the steps whose end the robot is not sure of."""
+    found = known.lesson.segmentation.questions if known.lesson is not None else ()
+    return [one.about for one in found if one.reason == UNSURE]
 
 
 def index_of(known: Knowledge, name: str) -> Index:

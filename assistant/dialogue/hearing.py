@@ -17,7 +17,7 @@ from assistant.dialogue.finding import with_name
 from assistant.dialogue.general import general
 from assistant.dialogue.helping import help_line, misunderstood, patient
 from assistant.dialogue.naming import number_of, text_of
-from assistant.dialogue.replying import in_state, told_steps
+from assistant.dialogue.replying import answers_plainly, in_state, told_steps
 from assistant.dialogue.requests import requested
 from assistant.dialogue.state import (
     Closed,
@@ -57,7 +57,8 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     steps = told_steps(dialogue, words.text, meant)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
-    if event.understanding.confidence < SAFETY.act_confidence:
+    unsure = event.understanding.confidence < SAFETY.act_confidence
+    if unsure and not answers_plainly(dialogue, meant, words.text):
         return _doubted(dialogue, meant, words)
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 

@@ -17,6 +17,8 @@ LONGEST_NAME = 8
 SHORTEST_NAME = 3
 """Letters of a task's name; fewer are asked about."""
 
+_ARTICLE = r"^(?:(?:and|the|teh|hte|a|an|my|your|its|one|some|this|that)\s+)+"
+
 Value = str | int | tuple[str, ...]
 
 
@@ -62,7 +64,7 @@ def steps_in(value: Value, room: int) -> tuple[str, ...]:
         How many names are still missing; "a and b" is two only if that fits.
     """
     if isinstance(value, tuple):
-        return tuple(filter(None, map(tidy, value)))
+        return _told(value)
     pieces = _split(str(value), hints("separators"))
     if room > 1:
         # "pick it up, move it over and put it down": the last "and" joins a list.
@@ -72,7 +74,13 @@ def steps_in(value: Value, room: int) -> tuple[str, ...]:
             pieces = parted
         elif len(pieces) == 1:
             pieces = _at_verbs(pieces[0], room) or pieces
-    return tuple(filter(None, map(tidy, pieces)))
+    return _told(pieces)
+
+
+def _told(pieces: Sequence[str]) -> tuple[str, ...]:
+    """Return the tidied names of which some tell more than "carefully, please"."""
+    names = tuple(filter(None, map(tidy, pieces)))
+    return tuple(name for name in names if not is_no_step(name)) or names
 
 
 def _verbs() -> set[str]:
@@ -134,6 +142,11 @@ def is_odd(name: str) -> bool:
     return len(words) > LONGEST_NAME or words[0] in odd
 
 
+def is_no_step(name: str) -> bool:
+    """Whether a name is a word of talk such as "none", and no name of a step."""
+    return alike(name, hints("no_step_names"))
+
+
 def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
     """Return the objects an answer names, by the scene's names where it knows them.
 
@@ -162,7 +175,12 @@ def _parted(phrase: str, scene: Scene) -> list[str]:
     parts = re.split(pattern, phrase, flags=re.IGNORECASE)
     no_things: list[str] = hints("no_things")
     bare = [part for part in parts if _bare(part) and _bare(part).lower() not in no_things]
-    return bare if len(parts) > 1 else [phrase]
+    if len(parts) == 1:
+        return [phrase]
+    # In a whole sentence a new thing has an article; one that is known needs none.
+    led = [part for part in bare if re.match(_ARTICLE, part.strip(), re.IGNORECASE)]
+    there = [part for part in bare if known_name(_bare(part), scene) in scene.bodies]
+    return [part for part in bare if part in led or part in there] if led else bare
 
 
 def known_name(phrase: str, scene: Scene) -> str:
@@ -205,13 +223,7 @@ def _things(text: str) -> list[str]:
 
 
 def _bare(phrase: str) -> str:
-    text = tidy_name(phrase)
-    return re.sub(
-        r"^(?:(?:and|the|teh|hte|a|an|my|your|its|one|some|this|that)\s+)+",
-        "",
-        text,
-        flags=re.IGNORECASE,
-    )
+    return re.sub(_ARTICLE, "", tidy_name(phrase), flags=re.IGNORECASE)
 
 
 def _split(text: str, separators: Sequence[str]) -> list[str]:

@@ -16,6 +16,7 @@ from assistant.dialogue.naming import (
     is_odd,
     listed_steps,
     name_and_steps,
+    role,
     text_of,
     tidy,
 )
@@ -33,8 +34,13 @@ from assistant.dialogue.state import (
     Thinking,
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.language.actions import read_action
+from assistant.language.bodies import read_body
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Action
+
+SENTENCE = 5
+"""Words of an answer about things; a longer one is read as a sentence."""
 
 _WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.Rename)
 """Acts whose words answer a question for a name or an action: "move up" is a name there."""
@@ -145,12 +151,15 @@ def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | No
     if state.asked in ("confirm_tree", "pose"):
         return None
     if isinstance(act, acts.Inform):
+        if state.asked == "objects" and not state.index and len(words.text.split()) > SENTENCE:
+            return words.text
         if not isinstance(act.value, str):
             return act.value
-        said = tidy(words.text)
+        told = as_said(act.value, words.text)
         # What the hand does is told whole: "let go of it" is not "go of it".
-        whole = said.lower().startswith("let") and said.lower().endswith(act.value.lower())
-        return said if whole else as_said(act.value, words.text)
+        naming = state.asked in ("subtask_name", "actions")
+        lost = naming and not _tells_action(told) and _tells_action(words.text)
+        return tidy(words.text) if lost else told
     if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
         return act.name
     if isinstance(act, acts.Rename):
@@ -158,6 +167,22 @@ def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | No
     if isinstance(act, _WORDS_COUNT) and state.asked in ("subtask_name", "actions"):
         return words.text
     return None
+
+
+def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str) -> bool:
+    """Whether words plainly answer: they tell what the hand does, or a size."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or dialogue.pending is not None or not meant:
+        return False
+    if not all(isinstance(act, acts.Inform) for act in meant):
+        return False
+    if state.asked == "body":
+        return read_body(text).size_mm is not None
+    return state.asked in ("subtask_name", "actions") and _tells_action(text)
+
+
+def _tells_action(text: str) -> bool:
+    return read_action(text, ()).action is not None
 
 
 def _answered(dialogue: Dialogue, state: Introducing, value: Value) -> Turn:
@@ -186,8 +211,10 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
         case "actions":
             return _answered(dialogue, state, name_at(known, state.index))
         case "body":
-            told = line("told", "assumed_body", thing=state.thing)
-            known = with_body(known, state.thing, "box", ASSUMED_MM)
+            flat = role(state.thing, known.scene) == "target"
+            told = line("told", "assumed_flat" if flat else "assumed_body", thing=state.thing)
+            size_mm = (*ASSUMED_MM[:2], 0.0) if flat else ASSUMED_MM
+            known = with_body(known, state.thing, "box", size_mm)
             return first(say(dialogue, told)[1], proceed(changed(dialogue, "body", known)))
         case "pose":
             left = replace(known, unplaced=(*known.unplaced, state.thing))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from assistant.dialogue.asking import ask, index_of, introduced, learn, tell
+from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, tell
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.introduction import with_roles
@@ -24,7 +24,7 @@ from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
-from assistant.model.lesson import Lesson
+from assistant.model.lesson import Lesson, Question
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.setup import Place
 from assistant.model.task import Action
@@ -48,9 +48,14 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
         return tell(waiting, RobotAct("error", f"not_learned.{event.why_not}", slots=slots))
     lesson = carried_over(known.lesson, event.lesson)
     after = changed(dialogue, "learned", with_lesson(known, lesson))
-    questions = lesson.segmentation.questions
+    questions = open_questions(lesson)
     reviewing = replace(after, state=Reviewing(questions), pace="slow")
     return tell(reviewing, read_back(after.known))
+
+
+def open_questions(lesson: Lesson) -> tuple[Question, ...]:
+    """Return what is asked one by one; unsure cuts are told with the question about the whole."""
+    return tuple(one for one in lesson.segmentation.questions if one.reason != UNSURE)
 
 
 def carried_over(old: Lesson | None, new: Lesson) -> Lesson:
@@ -119,10 +124,7 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct) -> Turn:
 
 
 def next_question(dialogue: Dialogue, state: Reviewing) -> Turn:
-    """Go on to the next question of learning; who has just said yes is not asked again."""
-    head, *rest = state.questions
-    if not rest and (head.asked, head.reason) == ("confirm_segmentation", "unsure_cut"):
-        return _reviewed(dialogue)
+    """Go on to the next question of learning."""
     return ask(replace(dialogue, state=Reviewing(state.questions[1:])))
 
 
@@ -204,7 +206,7 @@ def replay(dialogue: Dialogue) -> Turn:
 def replayed(dialogue: Dialogue) -> Turn:
     """Go back to the open question after a replay."""
     known = dialogue.known
-    questions = known.lesson.segmentation.questions if known.lesson else ()
+    questions = open_questions(known.lesson) if known.lesson else ()
     state = Reviewing(questions if not known.reviewed else ())
     at_rest = replace(dialogue, state=state, arm="rest")
     if known.reviewed:

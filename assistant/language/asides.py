@@ -23,6 +23,25 @@ def after(text: str, part: str, language: str = "english") -> str:
     return _tidy(found.group(1)) if found else ""
 
 
+def mended(text: str, language: str = "english") -> str:
+    """Return what a teacher says in the end: "stacking, no wait, sorting" is "sorting"."""
+    marks = _alternatives(hints("mends", language))
+    parts = re.split(rf"[,;.]?\s*\b(?:{marks})\b[\s,]*", _plain(text), flags=re.IGNORECASE)
+    told = [part for part in map(_tidy, parts) if part]
+    return told[-1] if told else text
+
+
+def recounted(text: str, language: str = "english") -> int | None:
+    """Return the number in "no, four" or "make it five steps", where nothing else is said."""
+    numbers: dict[str, int] = hints("numbers", language)
+    kinds = _alternatives([*hints("leads", language), *hints("count_words", language)])
+    left = re.sub(rf"\b(?:{kinds})\b|[^\w\s]", " ", _plain(text), flags=re.IGNORECASE)
+    words = left.lower().split()
+    if len(words) != 1:
+        return None
+    return int(words[0]) if words[0].isdigit() else numbers.get(words[0])
+
+
 def taught(text: str, language: str = "english") -> str:
     """Return the task in "I would like to show you how to clear the table"; empty if none."""
     start = after(text, "teaching_starts", language)
