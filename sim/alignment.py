@@ -23,6 +23,8 @@ from assistant.model.setup import Setup
 ON_GAP_M = 0.004
 """An object rests on a target if its base is this close to the target's surface."""
 ON_TILT_RAD = np.deg2rad(5.0)
+ALIGNED_MM, ALIGNED_DEG = 1.0, 1.0
+"""Corners and edges this close to their places are in line, as the paper's worst are."""
 
 
 def told_bodies(scene: Scene, setup: Setup) -> dict[str, Array]:
@@ -108,6 +110,18 @@ def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) ->
     upright = float(up @ normal) > float(np.cos(ON_TILT_RAD))
     inside = bool(abs(gap[0]) <= half_x and abs(gap[1]) <= half_y)
     return bool(abs(gap[2]) <= ON_GAP_M and inside and upright)
+
+
+def states(
+    scene: Scene, setup: Setup, stop: HandStop, bodies: Mapping[str, Array]
+) -> tuple[str, ...]:
+    """Return which of ``on`` and ``aligned`` hold of what was let go at a stop."""
+    place, pose = place_of(scene, setup, stop, bodies), bodies[stop.object]
+    if not rests_on(scene, stop.object, stop.frame, pose, place):
+        return ()
+    found = alignment(scene.bodies[stop.object], pose, place, stop.frame)
+    fine = found.distance_mm <= ALIGNED_MM and found.angle_deg <= ALIGNED_DEG
+    return ("on", "aligned") if fine else ("on",)
 
 
 def alignments(

@@ -2,11 +2,13 @@
 
 The release moves by the difference between where the body sits and where the plan supposed
 it; the difference comes in smoothly between lifting and docking, so that the last stretch to
-the target keeps its direction. The corrected motion is checked again.
+the target keeps its direction. The corrected motion is checked again: reach, limits, speeds
+and collision. Where all of it cannot be done, a part is.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -25,7 +27,11 @@ from sim.kinematics import BRANCHES, forward, inverse_all, limit_margin
 
 LARGEST_M = 0.010
 LARGEST_RAD = np.deg2rad(8.0)
-"""A body that sits further off than this was not grasped as planned: nothing is corrected."""
+"""A body that sits further off than this was not grasped as planned: the run is halted."""
+
+SHARES = (1.0, 0.75, 0.5, 0.25)
+"""Of a correction, tried in this order."""
+FINE_M, FINE_RAD = 2e-4, np.deg2rad(0.1)
 
 
 def release_offset(supposed: Array, seen: Array) -> Array | None:
@@ -40,6 +46,42 @@ def release_offset(supposed: Array, seen: Array) -> Array | None:
     far = float(np.linalg.norm(offset[:3])) > LARGEST_M
     turned = float(angle_between(offset, IDENTITY)) > LARGEST_RAD
     return None if far or turned else offset
+
+
+def checked(
+    motion: JointPath,
+    offset: Array,
+    begin: int,
+    full: int,
+    stop: HandStop,
+    free: Callable[[JointPath], bool],
+) -> tuple[JointPath, Array] | None:
+    """Return the motion with as much of a correction as can be done, and that much of it.
+
+    Parameters
+    ----------
+    motion, offset, begin, full, stop
+        As in `corrected`.
+    free : callable
+        Whether a motion touches nothing.
+
+    Returns
+    -------
+    motion, offset : JointPath and array, shape (7,)
+        None where not even a quarter can be done.
+    """
+    for share in SHARES:
+        part = interpolate(IDENTITY, offset, np.array(share))
+        better = corrected(motion, part, begin, full, stop)
+        if better is not None and free(better):
+            return better, part
+    return None
+
+
+def matters(offset: Array) -> bool:
+    """Return whether a body that is off by so much does not lie finely any more."""
+    far = float(np.linalg.norm(offset[:3])) > FINE_M
+    return far or float(angle_between(offset, IDENTITY)) > FINE_RAD
 
 
 def corrected(

@@ -18,16 +18,17 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465, alignment
-from sim.correction import corrected, release_offset
+from sim.correction import checked, matters, release_offset
 from sim.kinematics import forward
 from sim.measures import finished
 from sim.playback import Playback, planned_reports
+from sim.rechecking import still_free
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
 from sim.touching import Trace, allowed_at
 from sim.world import CONTROL_S, EASE_S, EASED, STILL_M, STILL_TICKS, Allowed, Fault, World
 
-NOT_WHERE_PLANNED_RAD = np.deg2rad(1.0)
+NOT_WHERE_PLANNED_DEG = 1.0
 """A motion must begin this close to where the arm is."""
 ACTING_S = 3.0
 """The gripper is done within this time, or something is wrong."""
@@ -75,13 +76,12 @@ class SimulatedArm:
         self._rest()
 
     def _rest(self) -> None:
-        self._why = ""
-        self._primitive = -1
-        self._acting_s = 0.0
+        self._why, self._primitive, self._acting_s = "", -1, 0.0
         self._still = self._lost = 0
         self._last_opening_m = np.inf
         self._grip = 1.0
         self._offset: Array = np.array(IDENTITY)
+        self._misfit: Fault | None = None
         self._released: list[HandStop] = []
         self._trace = Trace()
         self._told_samples: list[tuple[int, ArmReport]] = []
@@ -94,8 +94,7 @@ class SimulatedArm:
         self._hand = forward(self._q)
         self._playback, self._carried = None, ""
         self._now_s, self._opening_m = 0.0, a465.GRIPPER.open_m
-        self._supposed = None
-        self._fresh = True
+        self._supposed, self._fresh = None, True
         self._rest()
         bodies = self._noise.misplaced(self._told, scene) if self._noise else dict(self._told)
         self.world.arrange(scene, bodies, self._q)
@@ -117,9 +116,8 @@ class SimulatedArm:
         """
         if self._fresh:
             self._seat(motion.q[0])
-        gap = float(np.max(np.abs(self.world.joints()[0] - motion.q[0])))
-        if gap > NOT_WHERE_PLANNED_RAD:
-            away = float(np.rad2deg(gap))
+        away = float(np.rad2deg(np.max(np.abs(self.world.joints()[0] - motion.q[0]))))
+        if away > NOT_WHERE_PLANNED_DEG:
             raise WorkFailed(f"the motion begins {away:.1f} deg from where the arm is; plan anew")
         self._rest()
         self._fresh = False
@@ -165,11 +163,11 @@ class SimulatedArm:
         fault = self.world.step(self._q, self._hand, self._opening_m, allowed)
         self._trace.see(stops, sample, self._carried, self.world)
         self._now_s += CONTROL_S
-        told = self._passed(playback)
+        told, fault = self._passed(playback), fault or self._misfit
         if fault is None and self._carried and not acting and self._grip == 1.0:
             fault = self._lost_grip()
         if fault is not None:
-            return (*told, self._halt("unmet", fault.text, fault.body))
+            return (*told, self._halt("unmet", fault.text, fault.body, fault.target))
         if playback.at_rest:
             return (*told, self._halt("halted", self._why))
         if playback.braking:
@@ -208,8 +206,7 @@ class SimulatedArm:
         step = a465.GRIPPER.speed_m_s * CONTROL_S
         goal = 0.0 if closing else a465.GRIPPER.open_m
         self._opening_m += float(np.clip(goal - self._opening_m, -step, step))
-        moved = abs(before - self._last_opening_m)
-        self._last_opening_m = before
+        moved, self._last_opening_m = abs(before - self._last_opening_m), before
         self._still = self._still + 1 if moved < STILL_M else 0
         if self._still < STILL_TICKS and self._acting_s < ACTING_S:
             return ()
@@ -227,7 +224,7 @@ class SimulatedArm:
         if held != stop.object:
             return (self._halt("unmet", "held", stop.object),)
         self._carried, self._offset = held, np.array(IDENTITY)
-        if held and self._sensor is not None:
+        if held:
             self._correct(held, min(stop.left_at, playback.motion.t_s.size - 1))
         closed = self._report("perceived", "hand", "closed")
         return (closed, self._report("perceived", "held", held)) if held else (closed,)
@@ -241,29 +238,33 @@ class SimulatedArm:
         bodies = self.world.bodies()
         if stop.object not in bodies or stop.frame not in self._setup.places:
             return (opened,)
-        place = alignment.place_of(self._scene, self._setup, stop, bodies)
         self._told[stop.object] = bodies[stop.object]
-        if not alignment.rests_on(self._scene, stop.object, stop.frame, bodies[stop.object], place):
-            return opened, self._halt("unmet", "on", stop.object, stop.frame)
-        return opened, self._report("perceived", "on", stop.object, stop.frame)
+        about = (stop.object, stop.frame)
+        if not (seen := alignment.states(self._scene, self._setup, stop, bodies)):
+            return opened, self._halt("unmet", "on", *about)
+        return opened, *(self._report("perceived", text, *about) for text in seen)
 
-    def _correct(self, held: str, begin: int, full: int | None = None) -> None:
+    def _correct(self, held: str, begin: int, full: int = 0) -> None:
         """Look at the body in the hand and move its release accordingly."""
         playback, supposed = self._playback, self._supposed
-        if playback is None or not playback.pending or self._sensor is None or supposed is None:
+        if playback is None or self._sensor is None or supposed is None:
+            return
+        if not playback.pending or playback.pending[0].kind != "release":
             return
         stop = playback.pending[0]
-        if stop.kind != "release":
-            return
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
         offset = release_offset(supposed, self._sensor.look(in_hand))
-        if offset is not None:
-            full = stop.docking_at if full is None else full
-            more = compose(inverse(self._offset), offset)
-            better = corrected(playback.motion, more, begin, full, stop)
-            if better is not None:
-                playback.replace(better)
-                self._offset = offset
+        if offset is None:
+            self._misfit = Fault("held", held)
+            return
+        more = compose(inverse(self._offset), offset)
+        free = still_free(self._scene, self._setup, self.look(), begin)
+        done = checked(playback.motion, more, begin, full or stop.docking_at, stop, free)
+        if done is not None:
+            playback.replace(done[0])
+            self._offset = compose(self._offset, done[1])
+        elif matters(more):
+            self._misfit = Fault("aligned", held, stop.frame)
 
     def _look_again(self, playback: Playback) -> None:
         # What crept while the body was carried is seen on arrival at the docking pose.

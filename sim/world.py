@@ -24,10 +24,11 @@ STILL_M = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Something that must halt a run: ``contact`` with a body, or ``tracking``."""
+    """Something that must halt a run: ``contact`` with a body, ``tracking``, or a condition."""
 
     text: str
     body: str = ""
+    target: str = ""
 
 
 @dataclass(frozen=True, slots=True)

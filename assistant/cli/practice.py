@@ -66,7 +66,7 @@ def run(args: argparse.Namespace) -> int:
     places = _read(args.setup)
     for _, setup in places:
         check_placed(task, setup)
-    folder = _folder(args.csv)
+    folder, names = _folder(args.csv), _file_names([setup.name for _, setup in places])
     arm = None if args.dry_run else make_arm(args.arm)
     plan, planner, clock = plan_adaptation(task), A465Planner(), RealClock()
     results = []
@@ -77,7 +77,7 @@ def run(args: argparse.Namespace) -> int:
         )
         results.append(result)
         if folder is not None:
-            _write(folder, number, result)
+            _write(folder, names[number - 1], result)
     if args.json:
         print(json.dumps(tally(results)))
     else:
@@ -111,7 +111,16 @@ def _folder(path: Path | None) -> Path | None:
     return path
 
 
-def _write(folder: Path, number: int, result: SetupResult) -> None:
+def _file_names(setups: Sequence[str]) -> list[str]:
+    """Return a file's name for each setup, the same whenever they are practiced again."""
+    stems = [re.sub(r"[^\w.-]+", "_", name) or "setup" for name in setups]
+    return [
+        f"{stem}.csv" if stems.count(stem) == 1 else f"{stem}_{number}.csv"
+        for number, stem in enumerate(stems, start=1)
+    ]
+
+
+def _write(folder: Path, name: str, result: SetupResult) -> None:
     if result.motion is None:
         return
     import numpy as np
@@ -119,10 +128,7 @@ def _write(folder: Path, number: int, result: SetupResult) -> None:
     motion = result.motion
     header = "t_s," + ",".join(f"q{k}_rad" for k in range(1, 7)) + ",gripper_m,primitive"
     rows = np.column_stack([motion.t_s, motion.q, motion.gripper_m, motion.primitive_at])
-    name = re.sub(r"[^\w.-]+", "_", result.name) or f"setup_{number}"
-    path = folder / f"{name}.csv"
-    if path.exists():
-        path = folder / f"{name}_{number}.csv"
+    path = folder / name
     lines = [header, *(",".join(f"{value:.9g}" for value in row) for row in rows)]
     try:
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -15,7 +15,9 @@ from assistant.files.demonstrations import read_demonstration
 from assistant.files.scenes import find_scene
 from assistant.files.setups import read_setups
 from assistant.files.tasks import read_task, write_task
+from assistant.geometry import angle_between, distance_between
 from assistant.learning.lesson import learn
+from assistant.model.feedback import Feedback
 from assistant.model.setup import Place
 from assistant.model.task import Task
 from assistant.session.practice import practice_setup, success_interval
@@ -64,6 +66,29 @@ def test_blocks_are_stacked(number: int) -> None:
     assert len(result.reports[-1].alignments) == 2
 
 
+def test_a_corrected_place_is_what_the_result_is_measured_against() -> None:
+    setup = read_setups(TABLE1)[2]
+    scene = find_scene(setup.scene, TABLE1)
+    task = learned("pick_and_place")
+    assert task.learned is not None
+    left = Feedback(
+        "translate", "more left", "place object on target", frame="target", offset_m=(0, 0.005, 0)
+    )
+    turned = replace(left, kind="rotate", offset_m=(0.0, 0.0, 0.0), turn_rad=(0.0, 0.0, 0.05))
+    arm = KinematicArm()
+    results = []
+    for feedback in ((), (left, turned)):
+        taught = replace(task, learned=replace(task.learned, feedback=feedback))
+        result = practice_setup(taught, scene, setup, arm=arm, planner=A465Planner())
+        results.append((result, arm.look().bodies["block"]))
+    (_, before), (corrected, after) = results
+    assert corrected.status == "done", corrected.reason
+    assert corrected.distance_mm is not None
+    assert corrected.distance_mm <= 0.1
+    assert float(distance_between(before, after)) == pytest.approx(0.005, abs=1e-4)
+    assert float(angle_between(before, after)) == pytest.approx(0.05, abs=1e-3)
+
+
 def test_what_cannot_be_reached_is_refused_before_moving() -> None:
     setup = read_setups(TABLE1)[0]
     far = replace(setup, places={**setup.places, "target": Place("hand", (900.0, 0.0, 300.0))})
@@ -101,7 +126,10 @@ def test_the_verb_tells_one_json_line_and_writes_joint_paths(
     fields = {"name", "status", "distance_mm", "angle_deg", "reason", "joint_margin_deg"}
     fields |= {"peak_joint_speed_ratio", "peak_hand_speed_m_s", "sim_s", "wall_s"}
     assert fields <= set(answer["setups"][0])
-    assert len(list((tmp_path / "paths").glob("table1_*.csv"))) == 4
+    assert len(list((tmp_path / "paths").glob("*.csv"))) == 4
+    # The same command again writes the same files.
+    assert main([*words, "--csv", str(tmp_path / "paths")]) == 0
+    assert len(list((tmp_path / "paths").glob("*.csv"))) == 4
 
 
 def test_a_dry_run_moves_nothing_and_half_speed_takes_twice(

@@ -11,20 +11,23 @@ from hypothesis import strategies as st
 
 from assistant.geometry import (
     IDENTITY,
+    Array,
     angle_between,
     compose,
     distance_between,
     inverse,
     pose_from_mm_deg,
 )
-from assistant.model.motion import HandStop
-from assistant.model.scene import Body, Scene
+from assistant.model.motion import HandStop, JointPath
+from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import Place, Setup
 from sim.alignment import alignment, place_of, place_on, rests_on
-from sim.correction import corrected, release_offset
+from sim.correction import checked, corrected, release_offset
+from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
+from sim.rechecking import still_free
 from sim.sensor import InHandSensor, PlaceNoise
-from tests.sim.placing import motion
+from tests.sim.placing import begun, lesson, motion, ticked_to, told_until_rest
 
 BLOCK = Body("block")
 PLACE = pose_from_mm_deg((500, 100, 240), (0, 0, 30))
@@ -84,7 +87,7 @@ def test_a_corrected_place_moves_along_its_surface(target: str) -> None:
 def test_a_corrected_release_puts_the_body_where_the_plan_meant(
     x_mm: float, y_mm: float, deg: float
 ) -> None:
-    planned = motion()
+    planned = motion(3)
     release = planned.stops[1]
     supposed = inverse(BLOCK.hand_in_body)
     seen = compose(supposed, pose_from_mm_deg((x_mm, y_mm, 0), (0, 0, deg)))
@@ -98,6 +101,53 @@ def test_a_corrected_release_puts_the_body_where_the_plan_meant(
     assert float(distance_between(meant, reached)) < 1e-9
     assert float(angle_between(meant, reached)) < 1e-7
     assert np.array_equal(better.q[:begin], planned.q[:begin])
+
+
+def test_of_a_correction_that_would_touch_something_a_part_is_done() -> None:
+    planned = motion()
+    release = planned.stops[1]
+    offset = pose_from_mm_deg((0, 4, 0), (0, 0, 0))
+    begin = planned.stops[0].left_at
+
+    def free(better: JointPath) -> bool:
+        gap = distance_between(forward(better.q[release.at]), forward(planned.q[release.at]))
+        return float(gap) < 0.0025
+
+    done = checked(planned, offset, begin, release.docking_at, release, free)
+    assert done is not None
+    assert done[1][1] == pytest.approx(0.002)
+    nothing = checked(planned, offset, begin, release.docking_at, release, lambda _: False)
+    assert nothing is None
+
+
+def test_a_corrected_motion_is_checked_for_collision() -> None:
+    planned = motion()
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    begun(arm)
+    ticked_to(arm, "held")
+    begin = planned.stops[0].left_at
+    assert still_free(scene, setup, arm.look(), begin)(planned)
+    hand = forward(planned.q[planned.stops[1].docking_at])
+    walled = replace(
+        scene, obstacles=(Obstacle("wall", (100, 100, 600), (hand[0] * 1e3, hand[1] * 1e3, 240)),)
+    )
+    assert not still_free(walled, setup, arm.look(), begin)(planned)
+
+
+@pytest.mark.parametrize(("seen_mm", "text"), [(4.0, "aligned"), (20.0, "held")])
+def test_a_release_that_cannot_be_corrected_halts_the_run(
+    monkeypatch: pytest.MonkeyPatch, seen_mm: float, text: str
+) -> None:
+    class Crooked(InHandSensor):
+        def look(self, body_in_hand: Array) -> Array:
+            return compose(body_in_hand, pose_from_mm_deg((0, seen_mm, 0), (0, 0, 0)))
+
+    monkeypatch.setattr("sim.simulated_arm.checked", lambda *_: None)
+    arm = KinematicArm(sensor=Crooked())
+    begun(arm)
+    last = told_until_rest(arm)[-1]
+    assert (last.kind, last.text, last.object) == ("unmet", text, "block")
 
 
 def test_a_body_that_slipped_far_is_not_corrected_for() -> None:

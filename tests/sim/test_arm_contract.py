@@ -43,6 +43,7 @@ def test_a_run_is_told_in_order_and_ends_aligned(make: Maker) -> None:
         ("docked", "target"),
         ("hand", "open"),
         ("on", "block"),
+        ("aligned", "block"),
         ("clear", "block"),
     ]
     (found,) = reports[-1].alignments
