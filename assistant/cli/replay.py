@@ -1,10 +1,11 @@
 """Run scripted sessions without a teacher and compare what happens with what they expect.
 
 A transcript that differs is told with its line; what really happened is written beside it as
-NAME.actual.yaml.
+NAME.actual.yaml. Of a folder all transcripts below it are run.
 
 example:
-  assistant replay transcripts/*.yaml
+  assistant replay transcripts
+  assistant replay transcripts/table1.yaml
 """
 
 from __future__ import annotations
@@ -12,15 +13,22 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from assistant.cli import DONE, FAILED
 from assistant.cli.talking import speaking
+from assistant.errors import BadInput
+
+HEAD = 4096
+ACTUAL = ".actual.yaml"
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the verb takes."""
-    parser.add_argument("transcripts", nargs="+", type=Path, metavar="TRANSCRIPT")
+    parser.add_argument(
+        "transcripts", nargs="+", type=Path, metavar="TRANSCRIPT", help="a file or a folder"
+    )
     parser.add_argument("--speak", action="store_true", help="speak the robot's lines")
     parser.add_argument("--json", action="store_true", help="one JSON line at the end")
 
@@ -32,7 +40,7 @@ def run(args: argparse.Namespace) -> int:
     from assistant.session.player import silent
     from assistant.shells.replay import replay
 
-    transcripts = [read_transcript(path) for path in args.transcripts]
+    transcripts = [read_transcript(path) for path in _files(args.transcripts)]
     listener = speaking(lambda line: print(line, file=sys.stderr)) if args.speak else silent
     results = []
     for transcript in transcripts:
@@ -43,3 +51,24 @@ def run(args: argparse.Namespace) -> int:
     if args.json:
         print(json.dumps({"transcripts": [result.as_json() for result in results]}))
     return DONE if all(result.passed for result in results) else FAILED
+
+
+def _files(given: Sequence[Path]) -> tuple[Path, ...]:
+    """Return the transcripts given, and those in folders, in the order of their names."""
+    found: list[Path] = []
+    for path in given:
+        if not path.is_dir():
+            found.append(path)
+            continue
+        inside = [each for each in sorted(path.rglob("*.yaml")) if is_transcript(each)]
+        if not inside:
+            raise BadInput.one(str(path), "no transcript in this folder", "one with transcripts")
+        found += inside
+    return tuple(found)
+
+
+def is_transcript(path: Path) -> bool:
+    """Whether a file begins as a transcript and is not what a failed play left behind."""
+    with path.open("rb") as file:
+        head = file.read(HEAD)
+    return not path.name.endswith(ACTUAL) and b"format: transcript/" in head

@@ -12,6 +12,7 @@ from assistant.files.finding import find_setups
 from assistant.files.library import Library
 from assistant.files.scenes import find_scene
 from assistant.files.tasks import read_task
+from assistant.language.phrasebook import phrasebook
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -57,6 +58,8 @@ class Opening:
 
 def open_session(opening: Opening, header: Transcript, *, fed: bool = False) -> Session:
     """Begin a new session as a transcript's head says."""
+    # A language that is not understood is told before anything is written or said.
+    phrasebook(header.language)
     base = Path(header.source).parent if header.source else Path()
     scene, setup = chosen(header.setup or SetupChoice(name=FIRST_SETUP), base)
     task = read_task(base / header.task) if header.task else None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -59,6 +60,8 @@ class Showing:
             elif line.endswith((".csv", ".yaml", ".yml")):
                 path = Path(line).expanduser()
                 demonstrate(session, Demonstrate(recording=str(path)), Path())
+            elif os.sep in line and Path(line).expanduser().is_dir():
+                self._write(page("terminal", session.language)["folder"].format(path=line))
             else:
                 return False
         except AssistantError as error:

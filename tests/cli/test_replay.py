@@ -61,3 +61,19 @@ def test_a_step_that_cannot_be_done_is_a_difference(
     text = PLAY.replace("ASKED", "goal") + "- setup: nowhere\n"
     assert played(tmp_path, text)[0] == 1
     assert "no setup 'nowhere'" in capsys.readouterr().err
+
+
+def test_of_a_folder_all_transcripts_are_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "more").mkdir()
+    for name in ("b.yaml", "more/a.yaml", "b.actual.yaml"):
+        (tmp_path / name).write_text(PLAY.replace("ASKED", "goal"))
+    (tmp_path / "setup.yaml").write_text("format: setup/1\n")
+    assert main(["replay", str(tmp_path), "--json"]) == 0
+    told = json.loads(capsys.readouterr().out)["transcripts"]
+    assert [Path(one["file"]).name for one in told] == ["b.yaml", "a.yaml"]
+
+
+def test_a_folder_without_transcripts_is_bad_input(tmp_path: Path) -> None:
+    assert main(["replay", str(tmp_path)]) == 2

@@ -165,3 +165,28 @@ def test_a_home_that_cannot_be_written_is_told_and_the_talk_goes_on(tmp_path: Pa
     first, second = ended.stdout.splitlines()[:2]
     assert "cannot write this session down" in first
     assert "Hello" in second
+
+
+@pytest.mark.parametrize("more", [[], ["--json"]])
+def test_an_input_that_was_closed_before_is_one_that_ends(tmp_path: Path, more: list[str]) -> None:
+    command = ["sh", "-c", 'exec "$0" "$@" <&-', *TEACH, *more]
+    ended = subprocess.run(
+        command, capture_output=True, text=True, env=environment(tmp_path), timeout=60, check=False
+    )
+    assert ended.returncode == 0
+    assert "Goodbye" in ended.stdout
+    assert "Traceback" not in ended.stderr
+
+
+def test_bytes_that_are_no_text_are_words_nobody_understands(tmp_path: Path) -> None:
+    ended = subprocess.run(
+        TEACH,
+        input=b"pick and place\n\xff\xfe\x80\nquit\nno\n",
+        capture_output=True,
+        env=environment(tmp_path),
+        timeout=60,
+        check=False,
+    )
+    assert ended.returncode == 0
+    assert ended.stdout.endswith(b"Goodbye.\n")
+    assert b"Traceback" not in ended.stderr

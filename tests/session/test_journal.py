@@ -1,13 +1,17 @@
 from __future__ import annotations
 
+import os
+import resource
 from pathlib import Path
 
 import pytest
 
 from assistant.errors import BadInput, WorkFailed
+from assistant.files.transcripts import read_transcript
 from assistant.model.transcript import Happened, Note, RobotLine, TeacherLine, Transcript
 from assistant.session.journal import Journal
 from assistant.session.past import newest_session, past_sessions
+from tests.session.lessons import Heard, lesson, opened
 
 HEAD = Transcript("a lesson", arm="kinematic")
 STEPS = (
@@ -93,3 +97,22 @@ def test_past_sessions_tell_where_they_stand(tmp_path: Path) -> None:
     assert by_name["1"].last == "Hello."
     assert by_name["2"].lines == 0
     assert "transcript/1" in by_name["3"].trouble
+
+
+def test_a_disk_that_fills_up_is_told_once_and_the_lesson_goes_on(tmp_path: Path) -> None:
+    child = os.fork()
+    if child == 0:
+        # Python is told of a file that grows too large by an error, as of a full disk.
+        resource.setrlimit(resource.RLIMIT_FSIZE, (8_000, 8_000))
+        os._exit(0 if told_once_and_went_on(tmp_path) else 1)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 0
+    assert read_transcript(tmp_path / "sessions" / "1" / "journal.yaml", resume=True).steps
+
+
+def told_once_and_went_on(home: Path) -> bool:
+    heard = Heard()
+    for _ in lesson(opened(home, heard)):
+        if "done.run" in heard.topics:
+            return heard.topics.count("error.not_kept") == 1
+    return False

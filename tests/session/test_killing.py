@@ -95,7 +95,16 @@ def resumed(home: Path, heard: Heard | None = None) -> Session:
 
 @pytest.mark.parametrize(
     ("part", "torn"),
-    [(0.0, 0.3), (0.02, 0.4), (0.3, 1.0), (0.5, 0.0), (0.6, 0.6), (0.7, 1.0), (0.85, 0.5), (0.99, 0.0)],
+    [
+        (0.0, 0.3),
+        (0.02, 0.4),
+        (0.3, 1.0),
+        (0.5, 0.0),
+        (0.6, 0.6),
+        (0.7, 1.0),
+        (0.85, 0.5),
+        (0.99, 0.0),
+    ],
 )
 def test_killed_while_writing(
     tmp_path: Path, whole: tuple[dict[str, Any], int], part: float, torn: float

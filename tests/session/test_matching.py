@@ -86,6 +86,8 @@ def test_too_much_said_is_told_with_the_line_after() -> None:
         (RobotLine(about="pick"), False),
         (RobotLine(words="What is it called?"), True),
         (RobotLine(words="what"), False),
+        (RobotLine(act="ask", topic="name", words="Its name, please?"), True),
+        (RobotLine(act="ask", words="Its name, please?"), False),
         (RobotLine(pattern="^what.*called"), True),
         (RobotLine(pattern="named"), False),
         (RobotLine(topic="name"), True),
