@@ -155,6 +155,8 @@ def _items(words: Words, book: Phrasebook) -> tuple[str, ...]:
             parts.append([])
         parts[-1].append(words[at])
         at += 1
+    heads = {word for phrase in book.answer_words["item_heads"] for word in phrase}
+    parts = [part for part in parts if not {word.text for word in part} <= heads] or parts
     items = (said(_without(_item(tuple(part), book), _ARTICLES)) for part in parts if part)
     return tuple(item for item in items if item)
 

@@ -23,7 +23,7 @@ from assistant.plain_yaml import read_file
 LONGEST_NAME = 6
 MOST_UNEXPLAINED = 3
 _TRUST = (LIKELY, 0.72, 0.58, 0.42)
-_NAMING = frozenset(("save", "load", "compare", "rename", "add_subtask"))
+_NAMING = ("save", "load", "compare", "rename", "add_subtask")
 _NAMED = 0.78
 _TOLD = frozenset(("ordered", "rename", "add_subtask", "remove_subtask", "merge", "split"))
 Spans = Mapping[str, tuple[tuple[int, int], ...]]
@@ -251,6 +251,8 @@ def _named(
         return Parse((_act(frame, {wanted[0][0]: names}),), _NAMED, "named")
     trust = _TRUST[min(max(len(runs) - len(wanted), 0), len(_TRUST) - 1)]
     trust = min(trust, _NAMED)
+    if frame.act in _NAMING[:3]:
+        runs = _behind(runs, words, spans, blank)
     for slot, lead in sorted(wanted, key=lambda one: one[1] == ""):
         run = _run_of(lead, runs, spans, used)
         if run is None:
@@ -259,6 +261,19 @@ def _named(
         slots[slot] = said(words[slice(*run)]) if new else _text(words, run, hearing)
         runs.remove(run)
     return Parse((_act(frame, slots),), trust, "named")
+
+
+def _behind(
+    runs: list[tuple[int, int]], words: Words, spans: Spans, blank: set[int]
+) -> list[tuple[int, int]]:
+    """Return all that follows the word that names, such as "one" of "under the name fork one"."""
+    starts = [end for _, end in spans.get("named", ()) if end < len(words) and end not in blank]
+    if not starts or not runs or max(starts) > runs[-1][0]:
+        return runs
+    end = len(words)
+    while end > runs[-1][1] and words[end - 1].text != "one":
+        end -= 1
+    return [(runs[-1][0], end)]
 
 
 def _counted_value(kind: str, texts: Phrase, at: int, hearing: Hearing) -> float | int:

@@ -207,7 +207,7 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
     concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
-    calling = words_before and words_before[0].text in _CALLING
+    calling = bool(words_before) and words_before[0].text in _CALLING
     concerned = concerned or (calling and bool(set(texts) & verbs - weak) and len(texts) > 3)
     if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
         return None

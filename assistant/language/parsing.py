@@ -10,7 +10,7 @@ from assistant.language.words import Word, Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import TeacherAct
 
-SURE, LIKELY, ACTING, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.6, 0.4
+SURE, LIKELY, ACTING, GUESSED, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.8, 0.6, 0.4
 
 
 @dataclass(frozen=True, slots=True)

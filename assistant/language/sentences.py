@@ -81,7 +81,8 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
         name, _, limit = label.partition(":")
         part = words[start:end]
         if name == "x":
-            score = min(score, SURE if sentence.act == "cue" else LIKELY)
+            free = 0.8 if sentence.act == "unknown" else LIKELY
+            score = min(score, SURE if sentence.act == "cue" else free)
         elif name in ("n", "nth"):
             slots["number"] = _number(texts_of(words), start, hearing)
         else:

@@ -16,6 +16,7 @@ from assistant.language.naming import known_name
 from assistant.language.parsing import (
     ACTING,
     DOUBTFUL,
+    GUESSED,
     GUESS,
     LIKELY,
     SURE,
@@ -281,16 +282,22 @@ def _answered(words: Words, hearing: Hearing) -> Parse:
 
 
 def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -> float:
-    """Return how sure an answer is: short and without words of its wrapping."""
-    value = found.value
+    """Return how sure an answer is: short, plainly wrapped, no word of wrapping left in it."""
+    value, bare = found.value, trimmed(words, hearing.book)
     if asked != "task_name" and {"called", "named"} & set(texts_of(words)) and asked in LISTS:
         return DOUBTFUL
-    if isinstance(value, int) or asked in ("goal", "facing"):
-        return 0.93 if len(words) <= 14 else 0.8
-    names = (value,) if isinstance(value, str) else value
-    strange = any(set(name.split()) & hearing.book.impure for name in names)
-    longest = max(len(name.split()) for name in names)
-    return 0.8 if strange or longest > 5 or len(words) > 14 else 0.93
+    if isinstance(value, int):
+        return 0.93 if len(words) <= 8 else GUESSED
+    wraps = {phrase[0] for phrase in hearing.book.wrapping["wraps"]}
+    names = [value.split()] if isinstance(value, str) else [one.split() for one in value]
+    plain = wrapped(bare, asked, hearing.book) or len(bare) == sum(map(len, names))
+    plain = plain or (asked in LISTS and len(names) > 1)
+    if asked in ("goal", "facing"):
+        return 0.93 if plain and len(words) <= 14 and names[0][0] not in wraps else GUESSED
+    marked = isinstance(value, str) and sum(word.broken for word in bare[1:]) > 0
+    strange = any(name[0] in wraps or set(name) & hearing.book.impure for name in names)
+    long = max(map(len, names)) > 4 or len(words) > 10
+    return GUESSED if strange or long or marked or not plain else 0.93
 
 
 def _changing(parse: Parse) -> bool:
@@ -318,6 +325,8 @@ def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:
         return None
     texts = texts_of(words)
     for phrase in hearing.book.correction:
+        if asked == "goal" and len(phrase) == 1:
+            continue
         for at in range(len(texts) - len(phrase) - 1, 0, -1):
             behind = words[at + len(phrase) :]
             marked = words[at].broken or len(phrase) > 1

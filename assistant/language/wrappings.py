@@ -26,11 +26,14 @@ def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
 def _name(words: Words, book: Phrasebook) -> Words:
     """Return what follows the last anchor, or what no wrapping leads up to."""
     anchored = _after_anchor(words, book.wrapping["anchors"])
+    wraps = {phrase[0] for phrase in book.wrapping["wraps"]}
     parts = _parts(anchored)
+    while len(parts) > 1 and all(word.text in wraps for word in parts[0]):
+        parts = parts[1:]
+        anchored = tuple(word for part in parts for word in part)
     if len(parts) > 1:
         tailed = [part for part in parts[1:] if _tail(part, book.wrapping["tails"])]
-        wraps = {phrase[0] for phrase in book.wrapping["wraps"]} | {"yes", "no", "right"}
-        aside = len(parts[0]) <= LONGEST_NAME and parts[1][0].text in wraps
+        aside = len(parts[0]) <= LONGEST_NAME and parts[1][0].text in wraps | {"yes", "no", "right"}
         anchored = parts[0] if tailed or aside else anchored
     tail = _tail(anchored, book.wrapping["tails"])
     if 0 < tail < len(anchored):

@@ -31,7 +31,7 @@ STAGES: dict[str, Stage] = {
     "l": "learning",
     "p": "practice",
 }
-FILES = ("tuning", *(f"tuning{number}" for number in range(2, 8)))
+FILES = ("tuning", *(f"tuning{number}" for number in range(2, 9)))
 SURE = 0.85
 
 
@@ -93,6 +93,8 @@ def _alike(a: Any, b: Any) -> bool:
         if a.get("act") == b.get("act") == "explain":
             return True
         return a.keys() == b.keys() and all(_alike(a[key], b[key]) for key in a)
+    if isinstance(a, list) and isinstance(b, str):
+        return _letters(", ".join(map(str, a))) == _letters(b)
     if isinstance(a, list) or isinstance(b, list):
         a, b = (one if isinstance(one, list) else [one] for one in (a, b))
         return len(a) == len(b) and all(_alike(x, y) for x, y in zip(a, b, strict=True))
