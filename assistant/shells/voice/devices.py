@@ -15,6 +15,7 @@ from assistant.shells.voice.endpointing import FRAME
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
 _LIBRARY = "apt install libportaudio2, or the PortAudio of your system"
+_PLUG = "plug one in; assistant voice lists what is there"
 UNPLUGGED_AFTER_S = 2.0
 
 
@@ -46,6 +47,12 @@ def devices() -> tuple[Device, ...]:
     )
 
 
+def check_microphone() -> None:
+    """Raise BadInput if this machine has nothing to hear with."""
+    if not any(device.inputs for device in devices()):
+        raise BadInput.one("voice", "no microphone is there", _PLUG)
+
+
 def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
     """Yield frames of 512 samples as they are heard.
 
@@ -74,8 +81,7 @@ def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
     except queue.Empty as error:
         raise BadInput.one("voice", "the microphone fell silent", "plug it in again") from error
     except (sound.PortAudioError, ValueError) as error:
-        right = "plug one in; assistant voice lists what is there"
-        raise BadInput.one("voice", f"no microphone: {error}", right) from error
+        raise BadInput.one("voice", f"no microphone: {error}", _PLUG) from error
 
 
 def _portaudio() -> ModuleType:

@@ -25,6 +25,7 @@ from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import Samples, sound_pieces
 from assistant.shells.voice.speaking import Speaking
 
+SOON_S = 0.5
 TYPING = "the keyboard works on"
 
 
@@ -91,8 +92,9 @@ class Talking:
 
     def finish(self) -> None:
         """Wait until a sound file has been heard; a microphone is heard no longer."""
-        if self._thread is not None and self._settings.ears is not None:
-            self._thread.join()
+        if self._thread is not None:
+            # A microphone has no end.
+            self._thread.join(None if self._settings.ears is not None else SOON_S)
         if self._mouth is not None:
             self._mouth.finish()
 
@@ -131,8 +133,10 @@ class Talking:
 
     def _frames(self, session: Session) -> Iterable[Samples]:
         if self._settings.ears is None:
-            from assistant.shells.voice.devices import microphone_frames
+            from assistant.shells.voice.devices import check_microphone, microphone_frames
 
+            # Before the models load: they would have nothing to hear.
+            check_microphone()
             return microphone_frames(self._settings.device)
         frames = frames_in(sound_pieces(self._settings.ears))
         return _in_real_time(frames) if self._settings.real_time else _in_its_time(frames, session)

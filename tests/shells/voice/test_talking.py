@@ -1,0 +1,86 @@
+"""Beside a shell: a sound file is heard to its end; what is missing is one line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assistant.cli.adapters import make_equipment
+from assistant.errors import BadInput
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.robot_acts import RobotAct
+from assistant.model.transcript import Transcript
+from assistant.session.opening import Opening, open_session
+from assistant.shells.plain import PlainShell
+from assistant.shells.voice import talking
+from assistant.shells.voice.ears import Ears
+from assistant.shells.voice.endpointing import Endpointer
+from assistant.shells.voice.hearing import Heard
+from assistant.shells.voice.sound import RATE_HZ, Samples, Sound, write_sound
+from assistant.shells.voice.talking import Talking, TalkSettings
+
+pytestmark = pytest.mark.voice
+
+
+class Says:
+    """Hears one sentence after the other, whatever is said."""
+
+    def __init__(self, *sentences: str) -> None:
+        self._sentences = iter(sentences)
+
+    def hear(self, samples: Samples, listening: Listening) -> Heard:
+        text = next(self._sentences, "")
+        return Heard(text, understand(text, listening))
+
+
+def loudness(frame: Samples) -> float:
+    return float(np.abs(frame).max() > 0.1)
+
+
+def bursts(path: Path, count: int) -> Path:
+    quiet, loud = np.zeros(RATE_HZ, np.float32), np.full(RATE_HZ // 2, 0.5, np.float32)
+    write_sound(path, Sound(np.concatenate([np.concatenate([quiet, loud])] * count + [quiet])))
+    return path
+
+
+def hold(folder: Path, beside: Talking, told: list[str], *lines: str) -> None:
+    shell = PlainShell(told.append)
+
+    def out(line: RobotAct, text: str) -> None:
+        shell.out(line, text)
+        beside.out(line, text)
+
+    session = open_session(Opening(make_equipment, folder, out), Transcript("by ear"))
+    shell.run(session, iter(lines), live=False, beside=beside)
+    session.close()
+
+
+def test_a_sound_file_is_heard_to_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    says = Says("pick and place", "the block rests on the target")
+
+    def ears(self: Talking, session: object, take: object) -> Ears:
+        return Ears(session, take, Endpointer(loudness), says)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(talking.Talking, "_ears", ears)
+    told: list[str] = []
+    settings = TalkSettings(bursts(tmp_path / "said.wav", 2), mute=True, real_time=False)
+    hold(tmp_path, Talking(settings, told.append), told)
+    assert "you: pick and place" in told
+    assert "you: the block rests on the target" in told
+    assert "Which things" in told[told.index("you: the block rests on the target") + 1]
+
+
+def test_without_a_microphone_typing_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def none(self: Talking, session: object) -> object:
+        raise BadInput.one("voice", "no microphone is there", "plug one in")
+
+    monkeypatch.setattr(talking.Talking, "_frames", none)
+    told: list[str] = []
+    hold(tmp_path, Talking(TalkSettings(mute=True), told.append), told, "pick and place\n")
+    assert any(line.endswith("plug one in; the keyboard works on)") for line in told)
+    assert any("goal" in line or "should be the case" in line for line in told)
