@@ -1,9 +1,10 @@
 """Keys as the teacher's hand: every press jogs the arm live, checked, while it is recorded.
 
 A terminal or a window hands key names to `KeyedHand.press` and calls `tick` once a period;
-each tick moves the hand on and returns the sample to record. A key keeps
-moving for `HOLD_S` after its last press, since terminals repeat keys instead of telling when
-one is let go; `release` ends it at once.
+each tick moves the hand on and returns the sample to record. A tap is one
+step of `STEP_M` or `STEP_RAD`, carried out to its end; a key that is seen again by then is held
+and keeps moving until `HOLD_S` after it was last seen, since terminals repeat keys instead of
+telling when one is let go. `release` ends all motion at once.
 
 Keys: w/s forward and backward, a/d left and right, r/f up and down; q/e turn left and right,
 t/g tilt up and down, z/x roll counterclockwise and clockwise; o/c open and close the hand;
@@ -45,9 +46,13 @@ TURNS: Mapping[str, tuple[float, float, float]] = {
 OPEN, CLOSE, FASTER, SLOWER, CLUTCH = "o", "c", "+", "-", " "
 HOLD_S = 0.12
 """A key moves for this long after it was last seen; terminals repeat about every 40 ms."""
+STEP_SAMPLES = 6
 SPEED_M_S, TURN_RAD_S = 0.10, 0.5
 SLOWEST, FASTEST, STEP = 0.1, 2.0, 1.25
-CHUNKS_S = (0.6, 0.1, 0.04)
+STEP_M, STEP_RAD = 0.005, float(np.deg2rad(2.0))
+"""What a tap does at the usual speed."""
+CHUNKS_S = (1.5, 0.6, 0.1, 0.04)
+"""A held key moves so long at a time; the first time shorter, which is off more quickly."""
 ENDS = ("finished", "halted", "unmet")
 
 
@@ -86,8 +91,9 @@ class KeyedHand:
         self._left: dict[str, float] = {}
         self._speed, self._clutched, self._blocked = 1.0, False, ""
         self._wanted = ""
-        self._over = self._moving = False
+        self._over = self._moving = self._stepping = False
         self._driven_by: frozenset[str] = frozenset()
+        self._held = False
         self._said = ""
 
     @property
@@ -117,6 +123,7 @@ class KeyedHand:
         """End the motion of a key, or of all of them."""
         for known in [key] if key else list(self._left):
             self._left.pop(known, None)
+        self._stepping = False
 
     def say(self, text: str) -> None:
         """Attach words to the next sample."""
@@ -141,14 +148,20 @@ class KeyedHand:
             self._act()
         elif not self._moving and keys:
             self._jog(keys)
-        elif self._moving and self._driven_by and keys != self._driven_by:
+        elif self._moving and self._driven_by and not self._goes_on(keys):
             self._arm.stop("key")
         for report in self._arm.tick():
             if report.kind == "unmet":
                 self._blocked = f"{report.text} {report.object}".strip()
             if report.kind in ENDS:
                 self._moving, self._driven_by = False, frozenset()
+        # Whoever lets go of all keys begins anew with a step.
+        self._held = self._held and bool(self._left)
         self._left = {k: s - CONTROL_S for k, s in self._left.items() if s > CONTROL_S}
+
+    def _goes_on(self, keys: frozenset[str]) -> bool:
+        """Whether what moves is still wanted; a step is, unless another key is pressed."""
+        return keys == self._driven_by or (self._stepping and not keys)
 
     def samples(self) -> Iterator[HandSample]:
         """Yield samples until `finish` is called."""
@@ -161,16 +174,29 @@ class KeyedHand:
         move = sum((np.array(MOVES[k]) for k in keys if k in MOVES), np.zeros(3))
         turn = sum((np.array(TURNS[k]) for k in keys if k in TURNS), np.zeros(3))
         speed = min(SPEED_M_S * self._speed, self._scene.hand_speed_m_s)
+        if not self._held:
+            self._step(keys, move, turn)
+            return
         # A way that is blocked further on is tried again over a shorter stretch.
-        for seconds in CHUNKS_S:
+        for seconds in CHUNKS_S[1:] if self._stepping else CHUNKS_S:
             t_s = np.arange(0.0, seconds + CONTROL_S / 2, CONTROL_S)[:, None]
             goals = stepped(
                 look.hand, _unit(move) * speed * t_s, _unit(turn) * TURN_RAD_S * self._speed * t_s
             )
             if self._begin(goals, np.full(len(goals), look.gripper_m), ()):
-                self._driven_by = keys
+                self._driven_by, self._stepping = keys, False
                 return
         self.release()
+
+    def _step(self, keys: frozenset[str], move: Array, turn: Array) -> None:
+        look = self._arm.look()
+        share = np.linspace(0.0, 1.0, STEP_SAMPLES)[:, None] * self._speed
+        goals = stepped(look.hand, _unit(move) * STEP_M * share, _unit(turn) * STEP_RAD * share)
+        self._held = True
+        if self._begin(goals, np.full(len(goals), look.gripper_m), ()):
+            self._driven_by, self._stepping = keys, True
+        else:
+            self.release()
 
     def _act(self) -> None:
         """Open or close the hand, which rests meanwhile."""

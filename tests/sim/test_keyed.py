@@ -28,7 +28,7 @@ def held(hand: KeyedHand, key: str, ticks: int) -> list[np.ndarray]:
 
 
 def test_a_held_key_moves_the_hand_its_way_and_letting_go_stops_it(hand: KeyedHand) -> None:
-    poses = held(hand, "w", 30)
+    poses = held(hand, "w", 45)
     assert poses[-1][0] > poses[0][0] + 0.02
     assert np.max(np.abs(poses[-1][1:3] - poses[0][1:3])) < 1e-4
     hand.release("w")
@@ -79,3 +79,23 @@ def test_words_go_with_the_next_sample_and_finish_ends_it(hand: KeyedHand) -> No
     hand.finish()
     assert next(samples, None) is None
     assert not hand.press("?")
+
+
+def test_a_tap_is_a_whole_step(hand: KeyedHand) -> None:
+    before = hand.tick().pose
+    for count in (1, 2, 3):
+        hand.press("w")
+        for _ in range(30):
+            pose = hand.tick().pose
+        assert pose[0] - before[0] == pytest.approx(count * 0.005, abs=5e-4)
+
+
+def test_a_tap_is_broken_off_by_release(hand: KeyedHand) -> None:
+    before = hand.tick().pose
+    hand.press("w")
+    for _ in range(3):
+        hand.tick()
+    hand.release()
+    for _ in range(30):
+        pose = hand.tick().pose
+    assert pose[0] - before[0] < 0.004
