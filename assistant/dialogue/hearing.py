@@ -15,6 +15,7 @@ from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
 from assistant.dialogue.finding import with_name
 from assistant.dialogue.general import general
+from assistant.dialogue.grounding import names_known
 from assistant.dialogue.helping import help_line, misunderstood, patient
 from assistant.dialogue.naming import number_of, text_of
 from assistant.dialogue.replying import answers_plainly, in_state, told_steps
@@ -58,7 +59,8 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
     unsure = event.understanding.confidence < SAFETY.act_confidence
-    if unsure and not answers_plainly(dialogue, meant, words.text):
+    plain = answers_plainly(dialogue, meant, words.text) or names_known(dialogue, meant)
+    if unsure and not plain:
         return _doubted(dialogue, meant, words)
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 

@@ -157,7 +157,7 @@ def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
     # A size such as "8 cm wide" is no thing.
     parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
     names = [known_name(_bare(phrase), scene) for phrase in parted]
-    unique = dict.fromkeys(name for name in names if name)
+    unique = dict.fromkeys(name for name in names if name and not alike(name, hints("no_things")))
     return tuple(TaskObject(name, role(name, scene)) for name in unique)
 
 

@@ -16,8 +16,10 @@ from assistant.dialogue.naming import (
     is_odd,
     listed_steps,
     name_and_steps,
+    number_of,
     role,
     text_of,
+    things_in,
     tidy,
 )
 from assistant.dialogue.placing import set_pose
@@ -36,6 +38,7 @@ from assistant.dialogue.state import (
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language.actions import read_action
 from assistant.language.bodies import read_body
+from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Action
 
@@ -170,15 +173,34 @@ def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | No
 
 
 def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str) -> bool:
-    """Whether words plainly answer: they tell what the hand does, or a size."""
+    """Whether words plainly answer, by what they tell: an action, a size, a number, a place."""
+    if not meant or not all(isinstance(act, acts.Inform) for act in meant):
+        return False
+    if dialogue.pending is not None:
+        return dialogue.pending.asked == "facing" and bool(stands(text))
     state = dialogue.state
-    if not isinstance(state, Introducing) or dialogue.pending is not None or not meant:
+    if not isinstance(state, Introducing):
         return False
-    if not all(isinstance(act, acts.Inform) for act in meant):
-        return False
-    if state.asked == "body":
-        return read_body(text).size_mm is not None
-    return state.asked in ("subtask_name", "actions") and _tells_action(text)
+    values = tuple(value for act in meant for value in _values(act))
+    match state.asked:
+        case "body":
+            return read_body(text).size_mm is not None
+        case "objects" if not state.index:
+            scene = dialogue.known.scene
+            things = things_in(values, scene)
+            return bool(things) and all(thing.name in scene.bodies for thing in things)
+        case "subtask_count":
+            return values == (str(number_of(text)),)
+        case "subtask_name":
+            return _tells_action(text)
+        case asked:
+            # What the robot has no word for is done as shown, and read back with the plan.
+            return asked == "actions"
+
+
+def _values(act: acts.TeacherAct) -> tuple[str, ...]:
+    value = act.value if isinstance(act, acts.Inform) else ()
+    return value if isinstance(value, tuple) else (str(value),)
 
 
 def _tells_action(text: str) -> bool:

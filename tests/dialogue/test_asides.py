@@ -175,3 +175,30 @@ def test_who_cannot_name_the_first_step_is_helped() -> None:
     teacher.hear(acts.Unknown(), text="I don't know")
     assert teacher.topics == ["confirm.suggested_steps"]
     assert teacher.hear(acts.Affirm()).asked == "confirm_tree"
+
+
+def test_a_change_at_a_step_named_in_full_needs_no_question() -> None:
+    teacher = Lessons().introduce()
+    teacher.hear(acts.Rename("move up object", "lift"), text="call move up object lift", sure=0.7)
+    assert teacher.topics[0] == "done.renamed"
+    teacher.hear(acts.Rename("up", "rise"), text="call up rise", sure=0.7)
+    assert teacher.topics[0] == "confirm.did_you_mean"
+
+
+def test_another_number_of_steps_is_taken_where_a_name_is_asked() -> None:
+    teacher = newcomer("sorting", "tidy", "block and target").tell(3)
+    assert teacher.tell("no, four").topics[0] == "done.counted"
+    assert len(teacher.dialogue.known.root.parts) == 4
+    assert teacher.tell("none").topics[0] == "error.not_an_answer"
+
+
+def test_a_name_is_what_is_said_in_the_end() -> None:
+    teacher = newcomer("it's called stacking, no wait, putting away")
+    assert teacher.dialogue.known.name == "putting away"
+
+
+def test_what_the_hand_does_is_told_whole() -> None:
+    teacher = newcomer("sorting", "tidy", "block and target").tell(1)
+    teacher.hear(acts.Inform("go of it"), text="let go of it")
+    assert teacher.dialogue.known.root.parts[0].name == "let go of it"
+    assert teacher.asked == "confirm_tree"
