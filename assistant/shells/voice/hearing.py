@@ -53,6 +53,9 @@ SINGLE_WORDS = (
 )  # fmt: skip
 """Said alone wherever no name or number is asked for."""
 
+COUNTS = ("none", "one", "two", "three", "four", "five", "six")
+"""Said alone where a number is asked for."""
+
 _PLAIN = (
     acts.AdjustLast,
     acts.AdjustSpeed,
@@ -186,7 +189,11 @@ class Hearing:
 def expected(listening: Listening, language: str) -> tuple[str, ...]:
     """Return what may well be said now: the phrasebook's suggestions, then single words."""
     phrases = suggestions(listening, language)
-    alone = () if listening.asked in OPEN or language != "english" else SINGLE_WORDS
+    if language != "english":
+        return phrases
+    alone = () if listening.asked in OPEN else SINGLE_WORDS
+    if listening.asked == "subtask_count":
+        alone = COUNTS
     return tuple(dict.fromkeys((*phrases, *alone)))
 
 

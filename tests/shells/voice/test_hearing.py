@@ -105,3 +105,10 @@ def test_names_of_the_task_are_expected() -> None:
 def test_no_single_words_where_a_name_is_asked_for() -> None:
     assert "left" in expected(PRACTICE, "english")
     assert "left" not in expected(NAMING, "english")
+
+
+def test_counts_where_a_number_is_asked_for() -> None:
+    asked = Listening(stage="introduction", asked="subtask_count")
+    assert {"none", "two"} <= set(expected(asked, "english"))
+    one = heard(Reads(("dune", 1.0)), Reads(("two", 0.4), ("tune", 0.3)), asked)
+    assert acted_on(one) == (Inform(2),)
