@@ -32,6 +32,10 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
         told = refusal_line("explain", dialogue.refusal)
     elif topic == "agreement":
         told = disagreement(dialogue) or line("explain", "agreed")
+    elif topic == "pace" and not named:
+        told = _pace(dialogue)
+    elif topic == "now":
+        told = _now(dialogue)
     elif topic == "next":
         told = _next(dialogue)
     elif topic == "detour" and dialogue.run is not None and dialogue.run.note:
@@ -172,6 +176,27 @@ def _next(dialogue: Dialogue) -> RobotAct:
     asked = question(dialogue)
     state = asked.asked if asked is not None and asked.asked else "none"
     return line("explain", f"next_after.{state}", task=dialogue.known.name)
+
+
+def _now(dialogue: Dialogue) -> RobotAct | None:
+    """Tell which step the arm is at; None at rest."""
+    leaves = primitives(dialogue.known.task.tree)
+    run = dialogue.run
+    if dialogue.arm == "rest" or run is None or not 0 <= run.primitive_at < len(leaves):
+        return None
+    leaf = leaves[run.primitive_at]
+    slots = {"name": leaf.name, "number": run.primitive_at + 1, "count": len(leaves)}
+    return line("explain", "now", action=plain_action(leaf.action), **slots)
+
+
+def _pace(dialogue: Dialogue) -> RobotAct | None:
+    """Tell how fast the arm moves and why; None before there is a lesson."""
+    if dialogue.known.lesson is None:
+        return None
+    factor = PRACTICE.slow if dialogue.pace == "slow" else PRACTICE.normal
+    told = round(speed_of(dialogue.known), 3)
+    topic = f"pace_{dialogue.pace}"
+    return line("explain", topic, percent=factor * told, told=told if told != 1.0 else None)
 
 
 def _why_asked(dialogue: Dialogue) -> RobotAct:

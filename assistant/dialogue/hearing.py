@@ -29,6 +29,7 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.dialogue.unknowing import unknowing, unknown_to
+from assistant.language.hints import hints, mentions
 from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
@@ -146,6 +147,8 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return say(dialogue, *map(in_full, dialogue.said)) if dialogue.said else ask(dialogue)
         case acts.Explain():
             return explain(dialogue, act)
+        case acts.Show() if mentions(words.text, hints("questions")):
+            return explain(dialogue, acts.Explain(words.text))
         case acts.Show():
             return show(dialogue, act)
         case acts.BeBrief() | acts.BeThorough():

@@ -51,10 +51,13 @@ def _rewind(dialogue: Dialogue, words: Words) -> Turn | None:
 
 
 def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
-    """Load or delete a kept task that is called by its name."""
+    """Load, compare or delete a kept task that is called by its name."""
     name = known_as(dialogue, after(words.text, "go_on_with"))
     if name:
         return load(dialogue, name)
+    other = known_as(dialogue, after(words.text, "compare_with"))
+    if other:
+        return load(dialogue, other, comparing=True)
     doomed = known_as(dialogue, after(words.text, "delete_task"))
     return discard_wanted(dialogue, doomed) if doomed else None
 

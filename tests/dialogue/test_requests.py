@@ -132,3 +132,22 @@ def test_who_says_something_else_than_where_they_stand_is_asked_once_more() -> N
     teacher = Lessons().ready().hear(acts.Translate("left"), text="left")
     assert teacher.tell("slower").topics == ["help.facing", "ask.facing"]
     assert teacher.tell("beside you").topics[0] == "told.facing_own"
+
+
+def test_what_is_done_now_what_was_learned_and_how_fast_is_told_from_the_lesson() -> None:
+    teacher = Lessons().ready()
+    teacher.hear(acts.Show("lessons"), text="what have you learned")
+    assert teacher.topics[0] == "explain.learned"
+    teacher.hear(acts.Explain("why are you so slow"), text="why are you so slow")
+    assert teacher.topics[0] == "explain.pace_slow"
+    teacher.moving().report("primitive", 1)
+    teacher.hear(acts.Show("plan"), text="what are you doing?")
+    assert teacher.topics == ["explain.now"]
+    assert teacher.lines[0].slots["number"] == 2
+
+
+def test_a_kept_task_is_compared_by_its_name() -> None:
+    teacher = Lessons().ready()
+    teacher.happen(ev.Kept("sorting")).hear(acts.Unknown(), text="compare it with sorting")
+    assert teacher.did(fx.Load)
+    assert teacher.dialogue.comparing
