@@ -57,7 +57,8 @@ class Client:
     def close(self) -> None:
         """Leave the server; a second time does nothing."""
         if self.id >= 0:
-            with contextlib.suppress(bullet.error):
+            # A window says good-bye on stdout, too.
+            with _quiet(), contextlib.suppress(bullet.error):
                 bullet.disconnect(physicsClientId=self.id)
             self.id = -1
 

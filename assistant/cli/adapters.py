@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import argparse
+import os
+import sys
 import threading
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from assistant.errors import BadInput
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
@@ -27,17 +30,28 @@ def arm_argument(parser: argparse.ArgumentParser, default: str | None = "pybulle
     )
 
 
-def make_arm(name: str, stop_flag: threading.Event | None = None) -> Arm:
-    """Return the simulated arm of that name."""
+def make_arm(name: str, stop_flag: threading.Event | None = None, *, window: bool = False) -> Arm:
+    """Return the simulated arm of that name, shown in a window on request."""
     from sim.sensor import InHandSensor
 
+    if window:
+        check_window(name)
     if name == "kinematic":
         from sim.kinematic_arm import KinematicArm
 
         return KinematicArm(stop_flag, sensor=InHandSensor())
     from sim.bullet_arm import BulletArm
 
-    return BulletArm(stop_flag, sensor=InHandSensor())
+    return BulletArm(stop_flag, sensor=InHandSensor(), window=window)
+
+
+def check_window(arm: str) -> None:
+    """Refuse a window for an arm that has none, and where there is no display."""
+    if arm != "pybullet":
+        raise BadInput.one("--window", f"the {arm} arm has none", "use --arm pybullet")
+    shown = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if sys.platform.startswith("linux") and not shown:
+        raise BadInput.one("--window", "there is no display", "leave it out, or set DISPLAY")
 
 
 def make_equipment(arm: str) -> Equipment:
@@ -50,6 +64,17 @@ def make_equipment(arm: str) -> Equipment:
     stop_flag = threading.Event()
     made = make_arm(arm, stop_flag)
     return Equipment(made, A465Planner(), make_hand, new_setup, stop_flag, KeyedHand)
+
+
+def warm_up() -> None:
+    """Import beside the first words what the first motion and learning need (2 s)."""
+
+    def load() -> None:
+        import scipy.interpolate  # noqa: F401
+
+        import assistant.learning.lesson  # noqa: F401
+
+    threading.Thread(target=load, name="warm up", daemon=True).start()
 
 
 def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand:

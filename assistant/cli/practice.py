@@ -37,6 +37,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--setup", nargs="+", type=Path, required=True, metavar="SETUP")
     parser.add_argument("--speed", type=_speed, default=1.0, metavar="F", help="as shown: 1")
     arm_argument(parser)
+    parser.add_argument("--window", action="store_true", help="show the arm in a window")
     parser.add_argument("--csv", type=Path, metavar="DIR", help="write the joint paths there")
     parser.add_argument("--dry-run", action="store_true", help="plan and check, move nothing")
     parser.add_argument("--json", action="store_true", help="one JSON line at the end")
@@ -62,12 +63,15 @@ def run(args: argparse.Namespace) -> int:
     from assistant.shells.pacing import RealClock
     from sim.planner import A465Planner
 
+    if args.window and (args.json or args.dry_run):
+        # The window's library writes to stdout as it likes.
+        raise BadInput.one("--window", "does not go with --json or --dry-run", "leave one out")
     task = read_task(args.learned)
     places = _read(args.setup)
     for _, setup in places:
         check_placed(task, setup)
     folder, names = _folder(args.csv), _file_names([setup.name for _, setup in places])
-    arm = None if args.dry_run else make_arm(args.arm)
+    arm = None if args.dry_run else make_arm(args.arm, window=args.window)
     plan, planner, clock = plan_adaptation(task), A465Planner(), RealClock()
     results = []
     for number, (scene, setup) in enumerate(places, start=1):

@@ -147,6 +147,21 @@ def test_a_dry_run_moves_nothing_and_half_speed_takes_twice(
     assert times[1] == pytest.approx(2 * times[0], rel=0.1)
 
 
+def test_a_window_needs_a_display_and_an_arm_that_can_be_seen(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("sys.platform", "linux")
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    file = tmp_path / "learned.yaml"
+    write_task(learned("pick_and_place"), file)
+    words = ["practice", str(file), "--setup", str(TABLE1), "--window"]
+    assert main(words) == 2
+    assert "no display" in capsys.readouterr().err
+    assert main([*words, "--arm", "kinematic"]) == 2
+    assert "kinematic arm has none" in capsys.readouterr().err
+
+
 def test_the_interval_of_a_rate() -> None:
     low, high = success_interval(20, 20)
     assert high == 1.0
