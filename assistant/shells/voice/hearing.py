@@ -191,7 +191,7 @@ def expected(listening: Listening, language: str) -> tuple[str, ...]:
     phrases = suggestions(listening, language)
     if language != "english":
         return phrases
-    alone = () if listening.asked in OPEN else SINGLE_WORDS
+    alone: tuple[str, ...] = () if listening.asked in OPEN else SINGLE_WORDS
     if listening.asked == "subtask_count":
         alone = COUNTS
     return tuple(dict.fromkeys((*phrases, *alone)))
