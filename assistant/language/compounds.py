@@ -25,8 +25,8 @@ from assistant.model.teacher_acts import (
 
 _CORRECTIONS = (Translate, Rotate, AdjustSpeed, Gripper, AdjustLast)
 _IDLE = (Unknown, Affirm, Deny)
-_PARTING = frozenset(("and", "but", "so", "because", "then"))
-_JOINTS = frozenset(("and", "then", "but", "also", "plus"))
+_PARTING = frozenset(("and", "but", "so", "because", "then", "und", "aber", "weil"))
+_JOINTS = frozenset(("and", "then", "but", "also", "plus", "und", "aber", "dann"))
 _GROUPS = {
     "way": frozenset(
         [

@@ -214,7 +214,7 @@ def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, floa
         return tuple(str(value) for value, _ in found_two), min(t for _, t in found_two)
     parts: list[list[Word]] = [[]]
     for word in words:
-        if word.text in ("and", "or", "with", "plus", "both", "either", "nor"):
+        if word.text in ("and", "or", "with", "plus", "both", "either", "nor", "und", "oder"):
             parts.append([])
             continue
         if word.broken:
