@@ -178,9 +178,30 @@ def episodes_right(shows: list[Shown], *, true_cuts: bool) -> float:
     return right / max(total, 1)
 
 
+def asked_about(shown: Shown, found: Segmentation) -> tuple[bool, bool]:
+    """Return whether the robot asks about the cutting at all, and about what is wrong.
+
+    A wrong cut is asked about if it is named; a missing one if a step is said to be missing, or
+    a cut next to it is named.
+    """
+    edges = [-np.inf, *found.cuts_s, np.inf]
+    wrong = [c for c in found.cuts_s if min(abs(c - t) for t in shown.cuts_s) > TOLERANCES_S[-1]]
+    for true in shown.cuts_s:
+        if min((abs(c - true) for c in found.cuts_s), default=np.inf) > TOLERANCES_S[-1]:
+            after = int(np.searchsorted(edges, true))
+            wrong += [edges[after - 1], edges[after]]
+    asked = about = False
+    for question in found.questions:
+        at_s = float(str(question.facts.get("at_s", "nan")))
+        if question.reason in ("never_shown", "never_introduced", "unsure_cut"):
+            asked = True
+            about |= question.reason != "unsure_cut" or any(abs(at_s - c) < 1e-6 for c in wrong)
+    return asked, about
+
+
 def confidence_line(shows: list[Shown]) -> str:
     """Return calibration of cuts and how well questions find the lessons that went wrong."""
-    chances, right, asked = [], [], {True: [0, 0], False: [0, 0]}
+    chances, right, asked = [], [], {True: [0, 0, 0], False: [0, 0, 0]}
     for shown in shows:
         found = ours(shown)
         cuts = [p for p in found.points if p.kept and not p.internal]
@@ -189,16 +210,14 @@ def confidence_line(shows: list[Shown]) -> str:
         right += near
         hits, mine, true = matched(found.cuts_s, shown.cuts_s, 0.5)
         tally = asked[hits == mine == true]
-        tally[0] += any(
-            q.asked in ("missing_step", "confirm_segmentation") and q.about != "hand"
-            for q in found.questions
-        )
-        tally[1] += 1
+        for k, told in enumerate((*asked_about(shown, found), True)):
+            tally[k] += told
     p, y = np.array(chances), np.array(right, dtype=float)
     wrong, fine = asked[False], asked[True]
     return (
         f"ECE {calibration_error(p, y):.3f}  Brier {brier(p, y):.3f}  AUROC {auroc(p, y):.3f}  "
-        f"asked in {wrong[0]}/{wrong[1]} wrong lessons, in {fine[0]}/{fine[1]} right ones"
+        f"asked in {wrong[0]}/{wrong[2]} wrong lessons (about what is wrong in {wrong[1]}), "
+        f"in {fine[0]}/{fine[2]} right ones"
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 from scipy.signal import find_peaks
@@ -54,19 +55,26 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
 
         return cut
 
-    kinds = {
-        "ruptures Pelt": [lambda: ruptures.Pelt(model="l2", min_size=2, jump=2)],
+    sizes = (2, 6)
+    kinds: dict[str, list[Callable[[], object]]] = {
+        "ruptures Pelt": [partial(ruptures.Pelt, model="l2", min_size=2, jump=2)],
         "ruptures Binseg": [
-            lambda: ruptures.Binseg(model="l2", min_size=2, jump=1),
-            lambda: ruptures.Binseg(model="rbf", min_size=2, jump=1),
+            partial(ruptures.Binseg, model=model, min_size=size, jump=1)
+            for model in ("l2", "l1", "rbf")
+            for size in sizes
+        ],
+        "ruptures BottomUp": [
+            partial(ruptures.BottomUp, model="l2", min_size=size, jump=2) for size in sizes
         ],
         "ruptures KernelCPD": [
-            lambda: ruptures.KernelCPD(kernel="linear", min_size=2),
-            lambda: ruptures.KernelCPD(kernel="rbf", min_size=2),
+            partial(ruptures.KernelCPD, kernel=kernel, min_size=size)
+            for kernel in ("linear", "rbf", "cosine")
+            for size in sizes
         ],
     }
+    features = ("velocity", "place", "log")
     return {
-        name: [cutter(make, feature) for make in makes for feature in ("velocity", "place", "log")]
+        name: [cutter(make, feature) for make in makes for feature in features]
         for name, makes in kinds.items()
     }
 
