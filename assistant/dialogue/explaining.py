@@ -185,7 +185,11 @@ def _now(dialogue: Dialogue) -> RobotAct | None:
     if dialogue.arm == "rest" or run is None or not 0 <= run.primitive_at < len(leaves):
         return None
     leaf = leaves[run.primitive_at]
-    slots = {"name": leaf.name, "number": run.primitive_at + 1, "count": len(leaves)}
+    slots: dict[str, Any] = {
+        "name": leaf.name,
+        "number": run.primitive_at + 1,
+        "count": len(leaves),
+    }
     return line("explain", "now", action=plain_action(leaf.action), **slots)
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from assistant.dialogue.naming import alike
 from assistant.dialogue.sketch import names
-from assistant.dialogue.state import Dialogue
+from assistant.dialogue.state import Dialogue, Ready
+from assistant.language.hints import hints
 from assistant.model import teacher_acts as acts
 
 
@@ -19,6 +21,18 @@ def names_known(dialogue: Dialogue, meant: Sequence[acts.TeacherAct]) -> bool:
         return False
     known = names(dialogue.known.root)
     return all(_grounded(act, known) for act in meant)
+
+
+def two_ways(dialogue: Dialogue, text: str, meant: Sequence[acts.TeacherAct]) -> bool:
+    """Whether a word that is both a yes and a direction would set the arm in motion.
+
+    "right" is a direction as often as a yes: the robot asks before it moves on it.
+    """
+    if not isinstance(dialogue.state, Ready) or dialogue.pending is not None:
+        return False
+    going = any(isinstance(act, acts.Affirm | acts.Start | acts.Approve) for act in meant)
+    plain = " ".join(re.findall(r"\w+", text.lower()))
+    return going and plain in hints("two_ways")
 
 
 def _grounded(act: acts.TeacherAct, known: Sequence[str]) -> bool:

@@ -15,7 +15,7 @@ from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
 from assistant.dialogue.finding import with_name
 from assistant.dialogue.general import general
-from assistant.dialogue.grounding import names_known
+from assistant.dialogue.grounding import names_known, two_ways
 from assistant.dialogue.helping import help_line, misunderstood, patient
 from assistant.dialogue.naming import number_of, text_of
 from assistant.dialogue.replying import answers_plainly, in_state, told_steps
@@ -54,6 +54,8 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     request = requested(dialogue, words)
     if request is not None:
         return one_question(request)
+    if two_ways(dialogue, words.text, meant):
+        return _doubted(replace(dialogue, misses=0), (acts.Translate("right"),), words)
     if unknowing(dialogue, words.text):
         return one_question(unknown_to(dialogue, words))
     steps = told_steps(dialogue, words.text, meant)

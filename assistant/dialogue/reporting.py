@@ -81,8 +81,17 @@ def refused(dialogue: Dialogue, refusal: Refusal) -> Turn:
     if dialogue.arm in ("moving", "paused", "stopped") and not _at_rest_state(dialogue):
         return say(replace(kept, arm="stopped"), told)
     if isinstance(dialogue.state, Running | Ready | Ran):
-        return tell(replace(kept, state=Ready(), arm="rest"), told)
+        return tell(replace(kept, state=Ready(), arm="rest"), told, *_blamed(dialogue))
     return tell(kept, told)
+
+
+def _blamed(dialogue: Dialogue) -> tuple[RobotAct, ...]:
+    """Return a line that names the correction made just before a refusal, if there is one."""
+    lesson = dialogue.known.lesson
+    last = dialogue.past[-1].label if dialogue.past else ""
+    if last != "correction" or lesson is None or not lesson.feedback:
+        return ()
+    return (line("told", "corrected_before", words=lesson.feedback[-1].words),)
 
 
 def _at_rest_state(dialogue: Dialogue) -> bool:

@@ -9,6 +9,7 @@ from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.motion import Refusal
 from tests.dialogue.teaching import SETUP, Lessons
 
 LAST = "place object on target"
@@ -151,3 +152,22 @@ def test_a_kept_task_is_compared_by_its_name() -> None:
     teacher.happen(ev.Kept("sorting")).hear(acts.Unknown(), text="compare it with sorting")
     assert teacher.did(fx.Load)
     assert teacher.dialogue.comparing
+
+
+@pytest.mark.parametrize("text", ["right", "Right!", "more right"])
+def test_right_is_no_start_before_it_was_asked_about(text: str) -> None:
+    teacher = Lessons().ready().hear(acts.Affirm(), text=text)
+    assert teacher.topics == ["confirm.did_you_mean"]
+    assert not teacher.did(fx.Check)
+    teacher.hear(acts.Affirm(), text="yes")
+    assert not teacher.did(fx.Check)
+    assert teacher.asked == "facing"
+
+
+def test_a_refusal_after_a_correction_names_it() -> None:
+    teacher = Lessons().ready().hear(acts.Translate("down", "much"), text="way lower")
+    teacher.hear(acts.Start())
+    refusal = Refusal("collision", "release at target", "table", 7.0, "mm", "clear")
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    assert teacher.topics[:2] == ["refuse.collision", "told.corrected_before"]
+    assert "way lower" in phrase(teacher.lines[1])
