@@ -90,12 +90,14 @@ def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
 
 
 def _with_text(args: argparse.Namespace) -> int:
+    from assistant.cli.adapters import warm_up
     from assistant.files.home import home
     from assistant.shells.text import TextShell, write
 
     shell = TextShell(home() / "history", args.pace)
     talking = make_talking(args, write, live=True)
     session = _opened(args, shown_and_spoken(shell.out, talking))
+    warm_up()
     return _guarded(session, lambda: shell.run(session, talking))
 
 
