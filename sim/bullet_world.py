@@ -19,6 +19,7 @@ from sim import a465
 from sim.bullet_bodies import add_body, add_obstacle, middle_in_base
 from sim.bullet_client import Client
 from sim.bullet_settings import BulletSettings
+from sim.touching import contents
 from sim.urdf import ARM_JOINTS, FINGER_JOINTS, PAD_LINKS, write_urdf
 from sim.world import CONTROL_S, EASED, Allowed, Fault
 
@@ -65,6 +66,7 @@ class BulletWorld:
         self._tables = set(self._names)
         known = {name: pose for name, pose in bodies.items() if name in scene.bodies}
         self._numbers = {n: add_body(client, scene.bodies[n], p) for n, p in known.items()}
+        self._inside = {self._numbers[name] for name in contents(scene, known)}
         self._names.update({number: name for name, number in self._numbers.items()})
         self._bases = {n: inverse(middle_in_base(scene.bodies[n].size_mm[2])) for n in known}
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
@@ -191,7 +193,8 @@ class BulletWorld:
                 return Fault("contact", self._names.get(point[OTHER], "arm"))
         if grasped >= 0 and not allowed.resting:
             for point in client.getContactPoints(bodyA=grasped):
-                if point[OTHER] != self._arm and point[FORCE] > settings.bump_n:
+                free = point[OTHER] in (self._arm, *self._inside)
+                if not free and point[FORCE] > settings.bump_n:
                     return Fault("contact", self._names.get(point[OTHER], ""))
         return Fault("tracking") if gap > settings.tracking_rad else None
 

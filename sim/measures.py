@@ -1,7 +1,8 @@
 """Success of tasks that corners and edges do not tell, one small function for each kind.
 
 What is measured follows from what the target is: an object in a hole has a depth, one that was
-pushed to a mark has an edge on it or not, and one moved over a mark in the hand covers it.
+pushed to a mark has an edge on it or not, one moved over a mark in the hand covers it, and what
+is poured lies in a cup or not.
 """
 
 from __future__ import annotations
@@ -16,11 +17,12 @@ from assistant.model.motion import ArmReport, HandStop, Measure
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
 from sim.alignment import alignments, base_corners
-from sim.touching import Trace, pushes
+from sim.touching import Trace, lies_in, pushes
 
 EDGE_WITHIN_MM = 3.0
 """An object is at a line if both corners of its nearest edge are this close to it."""
 COVERED_PERCENT = 90.0
+INSIDE_PERCENT = 90.0
 CLOSE_MM = 2.0
 """A mark is wiped where a base was so close to it."""
 GRID_MM = 4.0
@@ -46,6 +48,10 @@ def measured(
         if stop.kind == "release" and target.hole_mm[2] > 0:
             found.append(depth(stop.object, target, seen))
         body, moved = scene.bodies.get(stop.object), trace.poses.get(stop.frame, [])
+        known = {n: pose for n, pose in bodies.items() if n in scene.bodies}
+        balls = {n: pose for n, pose in known.items() if scene.bodies[n].shape == "sphere"}
+        if pushes(stop) and target.shape == "cup" and balls:
+            found.append(inside(stop.object, target, at, balls))
         if pushes(stop) and body is not None and target.size_mm[2] == 0:
             wiped = covered(body, target, relative(at, np.array(moved))) if moved else None
             found.append(wiped or edge(body, target, seen))
@@ -101,6 +107,24 @@ def covered(body: Body, target: Body, in_target: Array) -> Measure:
         wiped |= np.all(np.abs(seen_mm) <= half, axis=1)
     percent = 100.0 * float(np.mean(wiped))
     return Measure("covered", body.name, target.name, percent, "%", percent >= COVERED_PERCENT)
+
+
+def inside(name: str, target: Body, at: Array, balls: Mapping[str, Array]) -> Measure:
+    """Return how many balls lie in a cup, in percent.
+
+    Parameters
+    ----------
+    name : str
+        What they were poured from.
+    target : Body
+    at : array, shape (7,)
+        The cup's base.
+    balls : mapping of name to array, shape (7,)
+        Their lowest points.
+    """
+    lie = [name for name, pose in balls.items() if lies_in(target, relative(at, pose))]
+    percent = 100.0 * len(lie) / max(len(balls), 1)
+    return Measure("inside", name, target.name, percent, "%", percent >= INSIDE_PERCENT)
 
 
 def _flat(body: Body) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, 
 from sim.fine_path import FinePath
 from sim.kinematics import Flags
 from sim.shapes import body_box, boxes_apart
-from sim.touching import push_begin, pushed, pushes
+from sim.touching import contents, push_begin, pushed, pushes
 
 OVERLAP_M = 0.002
 """Told places may overlap by so much: people measure to the millimetre."""
@@ -72,7 +72,9 @@ def bodies_at(scene: Scene, setup: Setup, look: ArmLook | None) -> dict[str, Arr
     """Return where each known body's base is: as told, or as a sensor tells."""
     seen = look.bodies if look else {}
     told = {name: scene.body_pose(name, place) for name, place in setup.places.items()}
-    return {name: pose for name, pose in {**told, **seen}.items() if name in scene.bodies}
+    known = {name: pose for name, pose in {**told, **seen}.items() if name in scene.bodies}
+    carried_along = contents(scene, known)
+    return {name: pose for name, pose in known.items() if name not in carried_along}
 
 
 def overlap(scene: Scene, setup: Setup, stops: tuple[HandStop, ...]) -> Refusal | None:

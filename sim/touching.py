@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -10,9 +10,12 @@ import numpy as np
 
 from assistant.geometry import Array, compose, inverse, relative, transform_points
 from assistant.model.motion import HandStop
+from assistant.model.scene import Body, Scene
 from sim.a465 import GRIPPER
 from sim.shapes import Boxes
 from sim.world import Allowed, World
+
+LOW_M = 0.003
 
 
 def in_touch(stops: Sequence[HandStop]) -> tuple[HandStop, ...]:
@@ -28,6 +31,25 @@ def in_touch(stops: Sequence[HandStop]) -> tuple[HandStop, ...]:
         for stop, later in pairwise(stops)
     ]
     return (*kept, *stops[-1:])
+
+
+def lies_in(cup: Body, in_cup: Array) -> bool:
+    """Return whether a place, shape (7,), in a cup's frame lies between its walls."""
+    radius_m, height_m = cup.size_mm[0] / 2000.0, cup.size_mm[2] / 1000.0
+    beside = float(np.hypot(in_cup[0], in_cup[1])) < radius_m
+    return cup.shape == "cup" and beside and -LOW_M < float(in_cup[2]) < height_m
+
+
+def contents(scene: Scene, bodies: Mapping[str, Array]) -> frozenset[str]:
+    """Return the balls that lie in cups: they go where those go."""
+    cups = [name for name in bodies if name in scene.bodies and scene.bodies[name].shape == "cup"]
+    return frozenset(
+        name
+        for name, pose in bodies.items()
+        if name in scene.bodies
+        and scene.bodies[name].shape == "sphere"
+        and any(lies_in(scene.bodies[cup], relative(bodies[cup], pose)) for cup in cups)
+    )
 
 
 def pushes(stop: HandStop) -> bool:

@@ -154,7 +154,7 @@ class Measure:
     ----------
     kind : str
         ``depth`` of an object in a hole; ``edge``, how far a pushed object's edge is from a line;
-        ``covered``, how much of a mark was wiped.
+        ``covered``, how much of a mark was wiped; ``inside``, how many of the balls lie in a cup.
     object, target : str
     value : float
     unit : str
@@ -162,7 +162,7 @@ class Measure:
         Whether that counts as success.
     """
 
-    kind: Literal["depth", "edge", "covered"]
+    kind: Literal["depth", "edge", "covered", "inside"]
     object: str
     target: str
     value: float

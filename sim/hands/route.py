@@ -27,6 +27,7 @@ COME_FROM_M = (-0.06, 0.0, 0.07)
 OVER_M = 0.09
 LIFT_M = 0.12
 STEP_M = 0.08
+POUR_RAD = np.deg2rad(125.0)
 TURN_RAD = np.deg2rad(20.0)
 
 WORLD_STEPS = {
@@ -137,7 +138,7 @@ def _carry_out(way: _Way, primitive: Primitive) -> None:
             turn = quat_from_rotvec(TURN_RAD * np.array(TURN_AXES[direction]))
             way.go(compose(way.hand, np.concatenate([np.zeros(3), turn])), "reach")
         case ("free", _) if known and way.held and known != way.held:
-            _wipe(way, known)
+            _pour(way, known) if _is_cup(way, known) else _wipe(way, known)
         case ("free", _) if known and known != way.held:
             _push(way, known)
         case _:
@@ -150,7 +151,9 @@ def _approach(way: _Way, name: str) -> None:
         body = way.scene.bodies.get(name)
         deep_m = body.hole_mm[2] / 1000.0 if body else 0.0
         above_m = deep_m + DOCK_OVER_HOLE_M if deep_m else DOCK_ABOVE_M
-        docking = _moved(way.release_pose(name), (0.0, 0.0, above_m))
+        above = way.scene.hand_pose(name, way.setup.places[name])
+        above = above if _is_cup(way, name) else way.release_pose(name)
+        docking = _moved(above, (0.0, 0.0, above_m))
         way.go(_moved(docking, (0.0, 0.0, OVER_M)), "pass")
         way.go(docking, "reach")
         return
@@ -162,6 +165,21 @@ def _approach(way: _Way, name: str) -> None:
 def _push(way: _Way, name: str) -> None:
     goal = way.scene.hand_pose(name, way.setup.places[name])
     way.go(goal, "careful", f"the {way.near} is at the {name}")
+
+
+def _is_cup(way: _Way, name: str) -> bool:
+    return name in way.scene.bodies and way.scene.bodies[name].shape == "cup"
+
+
+def _pour(way: _Way, name: str) -> None:
+    """Tilt what is held over a cup, wait, and put it upright again."""
+    upright = way.scene.hand_pose(name, way.setup.places[name])
+    tilt = np.concatenate([np.zeros(3), quat_from_rotvec(np.array([POUR_RAD, 0.0, 0.0]))])
+    way.go(upright, "careful")
+    way.go(compose(upright, tilt), "careful")
+    way.go(way.hand, "rest")
+    way.go(way.hand, "rest")
+    way.go(upright, "careful", f"the {way.held} is empty now")
 
 
 def _wipe(way: _Way, name: str) -> None:

@@ -41,6 +41,7 @@ SHIPPED = (
     ("insertion", "insertion", 3),
     ("pushing", "pushing", 4),
     ("wiping", "wiping", 6),
+    ("pouring", "pouring", 8),
 )
 """Task, setup and seed of each."""
 LAST_FIRST = ("sorting",)

@@ -118,3 +118,11 @@ def test_all_of_the_wiping_keeps_its_shape_on_a_moved_board() -> None:
     hand = adapt(plan_adaptation(task), scene, setup).path[inside]
     again = relative(scene.hand_pose("board", setup.places["board"]), hand)
     assert np.allclose(again[:, :3], shown[:, :3], atol=1e-4)
+
+
+def test_all_balls_are_poured_into_the_bowl() -> None:
+    result = practiced("pouring", 1)
+    assert result.status == "done", result.reason
+    (inside,) = result.measures
+    assert inside["kind"] == "inside"
+    assert inside["value"] == 100.0

@@ -10,7 +10,7 @@ from hypothesis import strategies as some
 from assistant.geometry import IDENTITY, pose_from_mm_deg
 from assistant.model.scene import Body
 from sim.bullet_bodies import holed
-from sim.measures import covered, depth, edge
+from sim.measures import covered, depth, edge, inside
 
 SOCKET = Body("socket", size_mm=(80.0, 70.0, 60.0), hole_mm=(30.0, 20.0, 50.0), mass_kg=0.0)
 
@@ -84,3 +84,16 @@ def test_a_mark_is_covered_where_the_base_was_close(
     found = covered(sponge, board, np.array(kept))
     assert found.value == pytest.approx(percent, abs=2.5)
     assert found.good is (percent == 100.0)
+
+
+def test_balls_in_the_bowl_are_counted() -> None:
+    bowl = Body("bowl", "cup", (190.0, 190.0, 85.0))
+    at = pose_from_mm_deg((600.0, 0.0, 240.0), (0.0, 0.0, 0.0))
+    near, far = ((620.0, 50.0, 244.0), (720.0, 0.0, 240.0))
+    balls = {
+        str(k): pose_from_mm_deg(xyz, (0.0, 0.0, 0.0))
+        for k, xyz in enumerate((near, near, far, near))
+    }
+    found = inside("cup", bowl, at, balls)
+    assert found.value == 75.0
+    assert not found.good

@@ -9,10 +9,10 @@ from hypothesis import strategies as some
 
 from assistant.geometry import compose, pose_from_mm_deg, relative
 from assistant.model.motion import HandStop
-from assistant.model.scene import Body
+from assistant.model.scene import Body, Scene
 from sim.a465 import GRIPPER
 from sim.shapes import body_box
-from sim.touching import in_touch, push_begin, pushed
+from sim.touching import contents, in_touch, push_begin, pushed
 
 BOX = Body("box", size_mm=(60.0, 120.0, 90.0))
 REACHED = HandStop(10, "touch", "box", "box", 10, 10)
@@ -42,3 +42,18 @@ def test_a_pushed_body_lies_against_the_fingertips(gap: float, way: float, yaw: 
     moved = relative(body, pushed(body, body_box(BOX, body), before, after))
     assert moved[0] == pytest.approx(max(way - gap, 0.0), abs=1e-9)
     assert np.allclose(moved[1:3], 0.0, atol=1e-9)
+
+
+def test_only_balls_within_the_walls_of_a_cup_go_with_it() -> None:
+    cup = Body("cup", "cup", (70.0, 70.0, 100.0))
+    ball = Body("ball", "sphere", (18.0, 18.0, 18.0))
+    scene = Scene(bodies={"cup": cup, "in": ball, "beside": ball, "above": ball, "block": BOX})
+    places = {
+        "cup": (600.0, 0.0, 240.0),
+        "in": (610.0, 10.0, 246.0),
+        "beside": (650.0, 0.0, 240.0),
+        "above": (600.0, 0.0, 345.0),
+        "block": (600.0, 0.0, 246.0),
+    }
+    bodies = {name: pose_from_mm_deg(xyz, (0.0, 0.0, 0.0)) for name, xyz in places.items()}
+    assert contents(scene, bodies) == {"in"}
