@@ -214,7 +214,7 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
     if not concerned or asking or len(texts) < 3:
         return None
-    if texts[0] in ("i", "we", "my"):
+    if texts[0] in ("i", "we", "my", "they", "he", "she") and not marked:
         return Parse((KeyState(said(words)),), DOUBTFUL)
     return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
 

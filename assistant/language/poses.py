@@ -125,7 +125,7 @@ def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] 
             (
                 n
                 for n, word in enumerate(words)
-                if n > start and word in known | places or book.numbers.number(words, n)
+                if (n > start and word in known | places) or book.numbers.number(words, n)
             ),
             start,
         )

@@ -70,13 +70,14 @@ def _strangeness(text: str, word: str, distance: float, letters: list[str]) -> f
 
 
 _TYPOS = {
-    "teh": "the", "wyh": "why", "hwo": "how", "ened": "end", "ned": "end", "cna": "can", "lod": "load", "ordr": "order", "hte": "the", "adn": "and", "nad": "and", "yuo": "you", "ahnd": "hand",
-    "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop", "sto": "stop",
-    "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open", "cls": "close",
-    "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right", "ok": "ok",
-    "yse": "yes", "eys": "yes", "ye": "yes", "og": "go", "pu": "up", "don": "done",
-    "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with", "jsut": "just",
-    "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "ist": "is",
+    "teh": "the", "wyh": "why", "hwo": "how", "ened": "end", "ned": "end", "cna": "can",
+    "lod": "load", "ordr": "order", "hte": "the", "adn": "and", "nad": "and", "yuo": "you",
+    "ahnd": "hand", "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop",
+    "sto": "stop", "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open",
+    "cls": "close", "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right",
+    "ok": "ok", "yse": "yes", "eys": "yes", "ye": "yes", "og": "go", "pu": "up", "don": "done",
+    "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with",
+    "jsut": "just", "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "ist": "is",
     "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
 }  # fmt: skip
 

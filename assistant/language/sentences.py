@@ -181,7 +181,7 @@ def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
     if placed or (numbered and len(texts) == 2):
         return said(part), LIKELY + 0.03
     if texts[0] in _STEPS and len(texts) > 1:
-        part = part[1:]
+        part = part[2:] if texts[1] == "of" and len(part) > 2 else part[1:]
     if counted and counted[1] == len(texts):
         return said(part), DOUBTFUL
     if len(part) > 1 and texts[-1] in _STEPS:
