@@ -67,10 +67,10 @@ class Teacher:
         k = "xyz".index(axis)
         for _ in range(1000):
             gap = float(goal[k] - self.hand()[0][k])
-            if abs(gap) < 0.01:
+            if abs(gap) < 0.004:
                 return
             self.press(KEYS[k][0 if gap > 0 else 1])
-            time.sleep(0.0 if abs(gap) > 0.05 else 0.25)
+            time.sleep(0.0 if abs(gap) > 0.03 else 0.35)
         raise AssertionError("the hand does not get there")
 
     def act(self, key: str, opening: float) -> None:
