@@ -9,6 +9,7 @@ from assistant.language.motion import read_motion
 from assistant.language.naming import known_name
 from assistant.language.parsing import (
     DOUBTFUL,
+    GUESSED,
     LIKELY,
     SURE,
     Hearing,
@@ -29,6 +30,7 @@ from assistant.model.teacher_acts import (
     Where,
 )
 
+_ASKING = frozenset(("is", "are", "was", "do", "does", "did", "has", "have"))
 _STATING = frozenset(
     [
         "there",
@@ -62,6 +64,8 @@ def correction(texts: Phrase, hearing: Hearing) -> Parse | None:
     empty = 0.004 * min(5, reading.empty)
     if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in _STATING):
         return None
+    if reading.unexplained == 0 and (texts[0] in _ASKING or reading.empty > 4):
+        return Parse(reading.acts, GUESSED, "motion")
     return Parse(reading.acts, explained(reading.unexplained) - empty, "motion")
 
 

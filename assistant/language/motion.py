@@ -121,6 +121,8 @@ def read_motion(
         if act is None:
             return None
         acts.append(act)
+    if not turning:
+        unexplained += sum(tag.quantity is not None and tag.quantity.kind == "" for tag in tags)
     bare = len(tags) > 1 and not _said_motion(kinds) and "skip" in kinds
     if bare and _odd(kinds) and len(groups) > 1:
         return None

@@ -65,7 +65,9 @@ class NumberWords:
         value, end = found
         while end < len(words) and words[end] in ("of", "a", "an", "more"):
             following = (
-                end + 1 + (words[end] == "of" and words[end + 1 : end + 2] in (["a"], ["an"]))
+                end
+                + 1
+                + (words[end] == "of" and tuple(words[end + 1 : end + 2]) in (("a",), ("an",)))
             )
             if following < len(words) and words[following] in self.units:
                 end = following

@@ -92,6 +92,7 @@ def _alike(a: Any, b: Any) -> bool:
     if isinstance(a, dict) and isinstance(b, dict):
         if a.get("act") == b.get("act") == "explain":
             return True
+        a, b = ({key: one for key, one in told.items() if one != []} for told in (a, b))
         return a.keys() == b.keys() and all(_alike(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, str):
         return _letters(", ".join(map(str, a))) == _letters(b)
