@@ -293,8 +293,13 @@ def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -
     plain = wrapped(bare, asked, hearing.book) or len(bare) == sum(map(len, names))
     plain = plain or (asked in LISTS and len(names) > 1)
     if asked in ("goal", "facing"):
-        return 0.93 if plain and len(words) <= 14 and names[0][0] not in wraps else GUESSED
+        return (
+            0.93
+            if plain and len(words) <= 14 and names[0][:1] and names[0][0] not in wraps
+            else GUESSED
+        )
     marked = isinstance(value, str) and sum(word.broken for word in bare[1:]) > 0
+    names = [name for name in names if name] or [["it"]]
     strange = any(name[0] in wraps or set(name) & hearing.book.impure for name in names)
     long = max(map(len, names)) > 4 or len(words) > 10
     return GUESSED if strange or long or marked or not plain else 0.93
