@@ -1,0 +1,88 @@
+"""What a line asks for: one clause, one that is corrected by its speaker, or several."""
+
+from __future__ import annotations
+
+from assistant.language.clauses import clause
+from assistant.language.compounds import compound, corrected, once_more
+from assistant.language.parsing import (
+    ACTING,
+    DOUBTFUL,
+    LIKELY,
+    Hearing,
+    Parse,
+    texts_of,
+)
+from assistant.language.words import Words
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import (
+    Affirm,
+    Approve,
+    Deny,
+    Optional,
+    Save,
+    Start,
+    TeacherAct,
+    Unknown,
+    Unordered,
+)
+
+_YES_OR_NO = frozenset(
+    ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
+)
+
+
+def plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse | None:
+    """Return yes or no where a question was asked and only they are understood for sure."""
+    asked, first = hearing.listening.asked, words[0].text
+    plain = (*hearing.book.yes, *hearing.book.no)
+    if (asked not in _YES_OR_NO and asked != "satisfied") or first not in plain:
+        return parse
+    if len(words) > 1 and not words[1].broken:
+        return parse
+    if parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion"):
+        return parse
+    return Parse((Affirm() if first in hearing.book.yes else Deny(),), ACTING, "plain")
+
+
+def command(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the clause as a whole, corrected by its speaker, or cut into several."""
+    repeated = once_more(words, hearing)
+    if repeated is not None:
+        return repeated
+    whole = clause(words, hearing)
+    if whole is not None and len(whole.acts) > 1 and whole.score >= LIKELY:
+        parted = compound(words, hearing) if any(word.broken for word in words[1:]) else None
+        whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
+    if whole is not None and whole.score >= LIKELY:
+        return _one(whole, hearing.listening)
+    for other in (corrected, compound):
+        found = other(words, hearing)
+        if found is not None and (whole is None or found.score > whole.score):
+            whole = found
+        if whole is not None and whole.score >= LIKELY:
+            break
+    return None if whole is None else _one(whole, hearing.listening)
+
+
+def _one(parse: Parse, listening: Listening) -> Parse:
+    """Drop a yes that only leads into the rest, and a no that answers nothing."""
+    acts: tuple[TeacherAct, ...] = parse.acts
+    if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
+        same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
+        if listening.asked is None or (same is not None and isinstance(acts[1], same)):
+            acts = acts[1:]
+    acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
+    if listening.asked in _YES_OR_NO:
+        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
+    if all(isinstance(act, Affirm | Approve) for act in acts):
+        acts = acts[:1] if listening.asked else acts[-1:]
+    unique = tuple(dict.fromkeys(acts))
+    if unique == (Unordered(),) and listening.stage == "practice":
+        return Parse(unique, DOUBTFUL, parse.how)
+    return Parse(unique, parse.score, parse.how)
+
+
+def unknown(words: Words, hearing: Hearing) -> Parse:
+    """Return that nothing is understood, surer of it where the words are of other matters."""
+    chat = set(texts_of(words)) & hearing.book.chat
+    return Parse((Unknown(),), 0.8 if chat else 0.6)

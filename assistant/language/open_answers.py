@@ -1,0 +1,174 @@
+"""Answers to open questions, and what is said instead of an answer."""
+
+from __future__ import annotations
+
+from assistant.language.answers import LISTS, answer, trimmed, wrapped
+from assistant.language.commands import command, unknown
+from assistant.language.guessing import asks
+from assistant.language.naming import known_name
+from assistant.language.parsing import (
+    DOUBTFUL,
+    GUESSED,
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    texts_of,
+)
+from assistant.language.repair import respelled
+from assistant.language.words import Words
+from assistant.model.teacher_acts import (
+    AddSubtask,
+    AdjustLast,
+    AdjustSpeed,
+    Again,
+    Approve,
+    Asked,
+    Assign,
+    BeBrief,
+    BeThorough,
+    Cue,
+    Explain,
+    GoBack,
+    Gripper,
+    Help,
+    Inform,
+    KeyState,
+    Load,
+    Merge,
+    MoveCut,
+    Optional,
+    Ordered,
+    Pause,
+    Quit,
+    Redo,
+    RemoveSubtask,
+    Rename,
+    RepeatLine,
+    Required,
+    Rotate,
+    SetPose,
+    Show,
+    Split,
+    Start,
+    Translate,
+    Undo,
+    Unknown,
+    Unordered,
+)
+
+MOTION = (AdjustSpeed, Translate, Rotate, Gripper)
+_NOT_ANSWERS = (*MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
+_STRUCTURE = (
+    Rename,
+    Optional,
+    Required,
+    Unordered,
+    Ordered,
+    AddSubtask,
+    RemoveSubtask,
+    Merge,
+    Split,
+    Assign,
+    MoveCut,
+)
+_TELLING = frozenset(("i", "he", "she", "they", "my", "his", "her", "we", "did", "have"))
+_ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
+_PERSON = (("my", "name", "is"), ("i", "am", "called"), ("people", "call", "me"))
+
+
+def answered(words: Words, hearing: Hearing) -> Parse:
+    """Return an answer to an open question, unless the words are a command of their own."""
+    asked: Asked = hearing.listening.asked or "goal"
+    bare = trimmed(words, hearing.book)
+    if texts_of(bare)[:3] in _PERSON or texts_of(words)[:3] in _PERSON:
+        return Parse((Unknown(),), 0.8)
+    for told in dict.fromkeys((words, bare)):
+        parse = command(told, hearing)
+        if asked == "subtask_count" and parse is not None and _changing(parse):
+            return parse
+        if (
+            parse is not None
+            and parse.score >= LIKELY
+            and not _answering(parse, bare, asked, hearing)
+        ):
+            return parse
+    texts = set(texts_of(words))
+    telling = words[0].text in _TELLING and len(words) > 3
+    chatting = texts & hearing.book.chat and telling and not wrapped(bare, asked, hearing.book)
+    if not wrapped(bare, asked, hearing.book):
+        spelled = trimmed(respelled(words, hearing.book, ()), hearing.book)
+        words = spelled if wrapped(spelled, asked, hearing.book) else words
+        bare = trimmed(words, hearing.book)
+    asking = bare and asks(bare) and not wrapped(bare, asked, hearing.book)
+    if chatting or asking:
+        return Parse((Unknown(),), 0.7)
+    found = _corrected_answer(words, hearing)
+    if found is None:
+        return unknown(words, hearing)
+    if asked in ("missing_step", "which") and isinstance(found.value, str):
+        names = hearing.listening.subtasks
+        known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
+        found = Inform(known or found.value)
+    return Parse((found,), _answer_score(found, words, asked, hearing), "answer")
+
+
+def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -> float:
+    """Return how sure an answer is: short, plainly wrapped, no word of wrapping left in it."""
+    value, bare = found.value, trimmed(words, hearing.book)
+    if asked != "task_name" and {"called", "named"} & set(texts_of(words)) and asked in LISTS:
+        return DOUBTFUL
+    if isinstance(value, int):
+        return 0.93 if len(words) <= 8 else GUESSED
+    wraps = {phrase[0] for phrase in hearing.book.wrapping["wraps"]}
+    names = [value.split()] if isinstance(value, str) else [one.split() for one in value]
+    plain = wrapped(bare, asked, hearing.book) or len(bare) == sum(map(len, names))
+    plain = plain or (asked in LISTS and len(names) > 1)
+    if asked in ("goal", "facing"):
+        return (
+            0.93
+            if plain and len(words) <= 14 and names[0][:1] and names[0][0] not in wraps
+            else GUESSED
+        )
+    marked = isinstance(value, str) and sum(word.broken for word in bare[1:]) > 0
+    names = [name for name in names if name] or [["it"]]
+    strange = any(name[0] in wraps or set(name) & hearing.book.impure for name in names)
+    long = max(map(len, names)) > 4 or len(words) > 10
+    return GUESSED if strange or long or marked or not plain else 0.93
+
+
+def _changing(parse: Parse) -> bool:
+    known = isinstance(parse.acts[0], Rename | AddSubtask | RemoveSubtask)
+    return known and parse.how != "named" and parse.score >= 0.8
+
+
+def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:
+    """Tell acts whose words may as well be an answer, such as the name of a step."""
+    act = parse.acts[0]
+    if parse.how in ("frame", "request") and (
+        not isinstance(act, _ASIDE) or wrapped(bare, asked, hearing.book)
+    ):
+        return True
+    if isinstance(act, Unknown):
+        return wrapped(bare, asked, hearing.book)
+    if isinstance(act, _STRUCTURE):
+        return parse.score < SURE
+    return isinstance(act, _NOT_ANSWERS)
+
+
+def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:
+    asked = hearing.listening.asked
+    if asked is None:
+        return None
+    texts = texts_of(words)
+    for phrase in hearing.book.correction:
+        if asked == "goal" and len(phrase) == 1:
+            continue
+        for at in range(len(texts) - len(phrase) - 1, 0, -1):
+            behind = words[at + len(phrase) :]
+            marked = words[at].broken or len(phrase) > 1
+            if texts[at : at + len(phrase)] == phrase and marked and behind:
+                found = answer(behind, asked, hearing.book)
+                if found is not None:
+                    return found
+    return answer(words, asked, hearing.book)
