@@ -84,7 +84,8 @@ def _gripper(recording: Recording, file: str) -> list[Problem]:
         what = "there is no column gripper_m"
         return [Problem(file, what, "without it no grasp is seen, and docking poses stay unknown")]
     if np.ptp(recording.gripper_m) == 0:
-        return [Problem(file, "the hand never opens or closes", "nothing can be learned from it")]
+        right = "without that only pushing and the like can be learned from it"
+        return [Problem(file, "the hand never opens or closes", right)]
     return []
 
 

@@ -156,5 +156,6 @@ def lesson(n: int = 30, seed: int = 0) -> Lesson:
             Feedback("hand", "open", hand="open"),
         ),
         speed=0.7,
+        jerk_m_s3=0.31,
         approach_axis="-z",
     )

@@ -25,7 +25,10 @@ from tests.files.examples import lesson, task
     ids=lambda path: path.name,
 )
 def test_every_shipped_file_is_good_and_nothing_about_it_is_odd(path: Path) -> None:
-    assert read_known(path).warnings == ()
+    told = [warning.what for warning in read_known(path).warnings]
+    # A push needs no fingers: its demonstration is told for what it is.
+    pushed = path.parent.name == "demonstrations" and path.stem == "pushing"
+    assert told == (["the hand never opens or closes"] if pushed else [])
 
 
 @pytest.mark.parametrize(
