@@ -38,7 +38,7 @@ def zero_velocity(shown: Shown, smoothed: Smoothed) -> list[float]:
 def ruptures_cutters() -> dict[str, list[Cutter]]:
     """Return the peer's methods with several settings each; the best on the set is shown."""
     try:
-        import ruptures  # type: ignore[import-untyped]
+        import ruptures
     except ImportError:
         return {}
 
