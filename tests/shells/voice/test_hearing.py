@@ -79,6 +79,7 @@ def test_one_quick_word_alone_is_not_acted_on() -> None:
     assert acted_on(agreed) == (Affirm(),)
 
 
+@pytest.mark.voice
 @pytest.mark.parametrize(
     "chat",
     [
