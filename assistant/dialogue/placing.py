@@ -19,7 +19,7 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import Turn, changed, first, line, plain_place, say
 from assistant.language.actions import mentioned_objects
-from assistant.language.hints import hints, mentions
+from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.scene import Scene
 from assistant.model.setup import Place, Triple
@@ -34,7 +34,8 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
         return say(dialogue, line("error", "while_moving"))
     known = dialogue.known
     thing = thing_named(known, act.object)
-    if not thing and isinstance(dialogue.state, Introducing):
+    # "A flat box 12 by 12 by 1" tells a size, however much it looks like a place.
+    if not thing and isinstance(dialogue.state, Introducing) and not matter(act.object, "shapes"):
         thing = dialogue.state.thing
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))

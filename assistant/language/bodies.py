@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from typing import Literal
 
-from assistant.language.hints import hints, matter
+from assistant.language.hints import hints, matter, mentions
 
 Triple = tuple[float, float, float]
 Shape = Literal["box", "cylinder", "sphere", "cup"]
@@ -34,6 +34,9 @@ def read_body(text: str, language: str = "english") -> ToldBody:
         "cup": "cup",
     }
     shape = shapes.get(matter(text, "shapes", language))
+    if shape is None and mentions(text, hints("places", language)):
+        # Lengths that tell where a thing is are no size.
+        return ToldBody(None, None)
     lengths = read_lengths_mm(text, language)
     return ToldBody(shape, _size(shape or "box", lengths))
 

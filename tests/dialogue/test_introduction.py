@@ -96,6 +96,15 @@ def test_an_unknown_thing_gets_shape_size_and_place() -> None:
     assert teacher.asked == "subtask_count"
 
 
+def test_a_size_is_no_place() -> None:
+    teacher = Lessons().open().tell("task").tell("goal").tell(("mug",))
+    teacher.tell("a cylinder 8 centimetres wide and 10 high")
+    teacher.hear(acts.SetPose("flat box", (120.0, 120.0, 10.0)))
+    assert "error.no_such_thing" in teacher.topics
+    assert teacher.asked == "pose"
+    assert "mug" not in teacher.dialogue.known.setup.places
+
+
 def test_a_place_may_be_left_to_the_demonstration() -> None:
     teacher = Lessons().open().tell("task").tell("goal").tell(("mug",))
     teacher.tell("a cylinder 8 centimetres wide and 10 high").hear(acts.Deny())

@@ -27,6 +27,15 @@ def test_shape_and_size(text: str, shape: str | None, size_mm: tuple[float, ...]
     assert told.size_mm == pytest.approx(size_mm)
 
 
-@pytest.mark.parametrize("text", ["", "it is round", "a cylinder 5 cm wide", "zero by 0"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "it is round",
+        "a cylinder 5 cm wide",
+        "zero by 0",
+        "about 30 cm in front of you and 15 to the left",
+    ],
+)
 def test_without_a_size_there_is_none(text: str) -> None:
     assert read_body(text).size_mm is None
