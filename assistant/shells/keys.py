@@ -25,6 +25,7 @@ from prompt_toolkit.layout.processors import BeforeInput
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
 from assistant.language.hints import page
+from assistant.ports import HandSample
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
 from assistant.shells.driving_view import Overhead, gap_line, gaps, key_for, marks
@@ -45,6 +46,20 @@ WHEEL = {MouseEventType.SCROLL_UP: "r", MouseEventType.SCROLL_DOWN: "f"}
 PERIOD_S, REFRESH_S = 0.02, 0.1
 
 
+class Due:
+    """Tells which samples to record: one in every so many seconds, and all that carry words."""
+
+    def __init__(self, every_s: float) -> None:
+        self._every_s, self._next_s = every_s, 0.0
+
+    def __call__(self, sample: HandSample) -> bool:
+        """Whether this sample is to be recorded."""
+        if not sample.said and sample.t_s < self._next_s - PERIOD_S / 2:
+            return False
+        self._next_s = sample.t_s + self._every_s
+        return True
+
+
 class Driving:
     """One demonstration by keys.
 
@@ -55,12 +70,19 @@ class Driving:
     hand : DrivenHand
     lock : context manager
         Held while a sample is taken: words heard beside it take turns.
+    every_s : float
+        Between samples that are recorded; the hand is driven as smoothly as ever.
     """
 
     def __init__(
-        self, session: Session, hand: DrivenHand, lock: AbstractContextManager[Any]
+        self,
+        session: Session,
+        hand: DrivenHand,
+        lock: AbstractContextManager[Any],
+        every_s: float = PERIOD_S,
     ) -> None:
         self._session, self._hand, self._lock = session, hand, lock
+        self._due = Due(every_s)
         self._words: dict[str, Any] = page("terminal", session.language)["driving"]
         self._facing = session.dialogue_view.get("facing") == "facing"
         look = session.mover.look
@@ -96,7 +118,9 @@ class Driving:
             while self._session.watching is not None and not self._session.left:
                 began_s = time.monotonic()
                 with self._lock:
-                    self._session.see(self._hand.tick())
+                    sample = self._hand.tick()
+                    if self._due(sample):
+                        self._session.see(sample)
                 await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
         except Exception as error:
             self._error = error

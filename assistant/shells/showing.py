@@ -15,6 +15,8 @@ from assistant.session.loop import Session
 
 OFFER = ("offer", "offer_keys", "offer_scripted", "offer_file")
 """What a newcomer needs to know when the robot begins to watch: keys of ``terminal.yaml``."""
+CONTROL_S, SLOWEST_S = 0.02, 1.0
+_KEYS = re.compile(r"keys(?: (\d*\.?\d+) ?s?)?", re.IGNORECASE)
 _SCRIPTED = re.compile(r"(?:the )?script(?:ed)?(?: hand)?(?: (\d+))?", re.IGNORECASE)
 
 
@@ -44,9 +46,16 @@ class Showing:
             if self._keys or line != "offer_keys":
                 self._write(words[line])
 
-    def by_keys(self, session: Session, line: str) -> bool:
-        """Whether the line asks to drive the hand by keys, and that can be done now."""
-        return self._keys and session.watching is not None and line.lower() == "keys"
+    def by_keys(self, session: Session, line: str) -> float | None:
+        """Return every how many seconds a hand driven by keys is to be recorded.
+
+        None where the line does not ask for keys, or they cannot be used now. The paper's
+        period is 0.5 s (IV-A).
+        """
+        asked = _KEYS.fullmatch(line)
+        if not asked or not self._keys or session.watching is None:
+            return None
+        return min(max(float(asked.group(1) or CONTROL_S), CONTROL_S), SLOWEST_S)
 
     def take(self, session: Session, line: str) -> bool:
         """Show the task if the line says how; return whether it did."""

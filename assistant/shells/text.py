@@ -106,8 +106,9 @@ class TextShell:
         session.raw(text)
         assert self._ticker is not None
         # Whoever drives by keys may talk meanwhile: the lock is taken for each sample.
-        if self._showing.by_keys(session, text):
-            self._drive(session, self._ticker)
+        every_s = self._showing.by_keys(session, text)
+        if every_s is not None:
+            self._drive(session, self._ticker, every_s)
             text = ""
         with self._ticker.lock:
             if text and not self._showing.take(session, text):
@@ -169,7 +170,7 @@ class TextShell:
                 self._ticker.lock.release()
         return self._left_known_s
 
-    def _drive(self, session: Session, ticker: Ticker) -> None:
+    def _drive(self, session: Session, ticker: Ticker, every_s: float) -> None:
         mover, driver = session.mover, session.equipment.driver
         words = page("terminal", session.language)
         if driver is None:
@@ -180,7 +181,7 @@ class TextShell:
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         watching = session.watching
         self._write(words["driving"]["begin"])
-        Driving(session, hand, ticker.lock).run()
+        Driving(session, hand, ticker.lock, every_s).run()
         if watching is not None:
             self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
 

@@ -1,0 +1,49 @@
+"""How a task is shown is said in a line; keys may be recorded as rarely as in the paper."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import cast
+
+import numpy as np
+import pytest
+
+from assistant.ports import HandSample
+from assistant.session.loop import Session
+from assistant.shells.keys import Due
+from assistant.shells.showing import Showing
+
+WATCHING = cast(Session, SimpleNamespace(watching=object()))
+AT_REST = cast(Session, SimpleNamespace(watching=None))
+
+
+def nowhere(line: str) -> None:
+    raise AssertionError(line)
+
+
+@pytest.mark.parametrize(
+    ("line", "every_s"),
+    [("keys", 0.02), ("Keys 0.5", 0.5), ("keys .5 s", 0.5), ("keys 9", 1.0), ("keys 0", 0.02)],
+)
+def test_keys_may_say_how_often_to_record(line: str, every_s: float) -> None:
+    assert Showing(nowhere, keys=True).by_keys(WATCHING, line) == every_s
+
+
+@pytest.mark.parametrize("line", ["the keys", "keyss", "keys left", ""])
+def test_other_lines_ask_for_no_keys(line: str) -> None:
+    assert Showing(nowhere, keys=True).by_keys(WATCHING, line) is None
+
+
+def test_without_keys_or_outside_a_demonstration_there_are_none() -> None:
+    assert Showing(nowhere, keys=False).by_keys(WATCHING, "keys") is None
+    assert Showing(nowhere, keys=True).by_keys(AT_REST, "keys") is None
+
+
+def test_samples_are_recorded_when_due_and_whenever_something_is_said() -> None:
+    due = Due(0.5)
+    said = {0.62: "then"}
+    samples = [
+        HandSample(t_s, np.zeros(7), 0.08, said.get(t_s, ""))
+        for t_s in (round(0.02 * k, 2) for k in range(100))
+    ]
+    assert [sample.t_s for sample in samples if due(sample)] == [0.0, 0.5, 0.62, 1.12, 1.62]
