@@ -8,7 +8,7 @@ from assistant.dialogue.state import Knowledge, Run
 from assistant.dialogue.turn import plain_condition
 from assistant.model.task import Condition, Primitive, primitives
 
-SEEN = ("hand", "docked", "held", "on", "clear")
+SEEN = ("hand", "docked", "held", "on", "aligned", "clear")
 """Kinds of condition whose coming true the arm reports."""
 
 Conditions = tuple[Condition, ...]
