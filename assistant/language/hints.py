@@ -23,6 +23,12 @@ def page(name: str, language: str = "english") -> Any:
     return read_text(source.read_text("utf-8"), f"{name}.yaml")[0].value
 
 
+def has_page(name: str, language: str) -> bool:
+    """Whether a language's phrasebook has this page itself."""
+    folder = FOLDERS.get(language, "english")
+    return (files("assistant.language") / folder / f"{name}.yaml").is_file()
+
+
 def hints(part: str, language: str = "english") -> Any:
     """Return one part of `hints.yaml`."""
     return page("hints", language)[part]

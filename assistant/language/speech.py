@@ -6,9 +6,17 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from assistant.language.hints import page
+from assistant.errors import BadInput
+from assistant.language.hints import has_page, page
 from assistant.language.wording import Wording
 from assistant.model.robot_acts import RobotAct
+
+
+def check_spoken(language: str) -> None:
+    """Raise BadInput if the robot has no words of its own in a language."""
+    if not has_page("says", language):
+        what = f"the robot does not speak {language} yet"
+        raise BadInput.one("language", what, "sentences are understood: assistant understand")
 
 
 def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) -> str:

@@ -13,6 +13,7 @@ from assistant.files.library import Library
 from assistant.files.scenes import find_scene
 from assistant.files.tasks import read_task
 from assistant.language.phrasebook import phrasebook
+from assistant.language.speech import check_spoken
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -58,8 +59,9 @@ class Opening:
 
 def open_session(opening: Opening, header: Transcript, *, fed: bool = False) -> Session:
     """Begin a new session as a transcript's head says."""
-    # A language that is not understood is told before anything is written or said.
+    # A language that is not understood or spoken is told before anything is written or said.
     phrasebook(header.language)
+    check_spoken(header.language)
     base = Path(header.source).parent if header.source else Path()
     scene, setup = chosen(header.setup or SetupChoice(name=FIRST_SETUP), base)
     task = read_task(base / header.task) if header.task else None

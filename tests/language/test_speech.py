@@ -10,8 +10,9 @@ from typing import Any
 import pytest
 
 import assistant.dialogue
+from assistant.errors import BadInput
 from assistant.language.hints import page
-from assistant.language.speech import phrase
+from assistant.language.speech import check_spoken, phrase
 from assistant.language.stopping import has_stop_word
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.teacher_acts import ACTS, ASKED, STAGES
@@ -140,3 +141,9 @@ def test_guesses_are_read_back_in_words() -> None:
     ]
     told = phrase(RobotAct("confirm", "did_you_mean", "did_you_mean", slots={"acts": acts}))
     assert told == "Did you mean: a little more left and slower?"
+
+
+def test_a_language_without_words_of_the_robot_is_refused() -> None:
+    check_spoken("english")
+    with pytest.raises(BadInput, match="does not speak german yet"):
+        check_spoken("german")
