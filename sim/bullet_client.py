@@ -42,6 +42,9 @@ class Client:
     def __init__(self, *, window: bool = False) -> None:
         with _quiet():
             self.id: int = bullet.connect(bullet.GUI if window else bullet.DIRECT)
+        if window:
+            self.configureDebugVisualizer(bullet.COV_ENABLE_GUI, 0)
+            self.resetDebugVisualizerCamera(1.5, 55.0, -25.0, (0.35, 0.0, 0.4))
 
     def __getattr__(self, name: str) -> Any:
         function = getattr(bullet, name)
