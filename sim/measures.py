@@ -14,9 +14,9 @@ import numpy as np
 
 from assistant.geometry import Array, inverse, relative, transform_points
 from assistant.model.motion import ArmReport, HandStop, Measure
+from assistant.model.placing import alignments, base_corners
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
-from sim.alignment import alignments, base_corners
 from sim.touching import Trace, lies_in, pushes
 
 EDGE_WITHIN_MM = 3.0

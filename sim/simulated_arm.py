@@ -14,10 +14,11 @@ import numpy as np
 from assistant.errors import WorkFailed
 from assistant.geometry import IDENTITY, Array, compose, inverse
 from assistant.model.motion import ArmReport, HandStop, JointPath
+from assistant.model.placing import states, told_bodies
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim import a465, alignment
+from sim import a465
 from sim.correction import checked, matters, release_offset
 from sim.kinematics import forward
 from sim.measures import finished
@@ -89,7 +90,7 @@ class SimulatedArm:
     def arrange(self, scene: Scene, setup: Setup) -> None:
         """Put the arm at the robot start and every body at its place."""
         self._scene, self._setup = scene, setup
-        self._told = alignment.told_bodies(scene, setup)
+        self._told = told_bodies(scene, setup)
         self._q = joints_at(setup.robot_start.pose)
         self._hand = forward(self._q)
         self._playback, self._carried = None, ""
@@ -240,7 +241,7 @@ class SimulatedArm:
             return (opened,)
         self._told[stop.object] = bodies[stop.object]
         about = (stop.object, stop.frame)
-        if not (seen := alignment.states(self._scene, self._setup, stop, bodies)):
+        if not (seen := states(self._scene, self._setup, stop, bodies)):
             return opened, self._halt("unmet", "on", *about)
         return opened, *(self._report("perceived", text, *about) for text in seen)
 

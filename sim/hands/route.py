@@ -12,11 +12,11 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from assistant.geometry import Array, compose, quat_from_rotvec
+from assistant.model.placing import place_on, told_bodies
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Primitive, Task, primitives
 from sim.a465 import GRIPPER
-from sim.alignment import place_on, told_bodies
 
 DOCK_BACK_M = 0.07
 DOCK_ABOVE_M = 0.04

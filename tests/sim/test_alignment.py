@@ -19,9 +19,9 @@ from assistant.geometry import (
     pose_from_mm_deg,
 )
 from assistant.model.motion import HandStop, JointPath
+from assistant.model.placing import alignment, place_of, place_on, rests_on
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import Place, Setup
-from sim.alignment import alignment, place_of, place_on, rests_on
 from sim.correction import checked, corrected, release_offset
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
