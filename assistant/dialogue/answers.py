@@ -49,7 +49,7 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
         case "objects" if state.index:
             return _objects_of(known, state.index, value)
         case "objects":
-            things = things_in(value, known.scene)
+            things = things_in(value, known.scene, known.language)
             return Answered(all_understood(replace(known, objects=things)))
         case "subtask_count":
             return _count(known, state, value)
@@ -66,7 +66,7 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
 
 
 def _task_name(known: Knowledge, value: Value) -> Answered:
-    name, steps = name_and_steps(text_of(value))
+    name, steps = name_and_steps(text_of(value), known.language)
     named = replace(known, name=name, root=replace(known.root, name=name))
     if not steps or known.root.parts:
         return Answered(named)
@@ -76,8 +76,8 @@ def _task_name(known: Knowledge, value: Value) -> Answered:
 
 def _count(known: Knowledge, state: Introducing, value: Value) -> Answered:
     index = state.index
-    count = number_of(value)
-    steps = steps_in(value, 2) if not isinstance(value, int) else ()
+    count = number_of(value, known.language)
+    steps = steps_in(value, 2, known.language) if not isinstance(value, int) else ()
     if state.named and count is not None:
         return _settled(known, state, count)
     if len(steps) > 1 or (steps and count is None):
@@ -125,9 +125,9 @@ def _names(known: Knowledge, state: Introducing, value: Value) -> Answered:
     parent, position = state.index[:-1], state.index[-1]
     parts = at(known.root, parent).parts
     room = len(parts) - position + 1
-    steps = steps_in(value, room)
+    steps = steps_in(value, room, known.language)
     before = tuple(part.name for part in parts[: position - 1])
-    if not steps or is_no_step(steps[0]):
+    if not steps or is_no_step(steps[0], known.language):
         return Answered(known, (line("error", "not_an_answer"),))
     if len(steps) > room:
         named = (*before, *steps)
@@ -169,22 +169,24 @@ def _objects_of(known: Knowledge, index: Index, value: Value) -> Answered:
 def _mentioned(known: Knowledge, value: Value) -> tuple[Knowledge, tuple[str, ...]]:
     """Return the known things an answer mentions; a new thing becomes known."""
     things = known.objects or ()
-    found = mentioned_objects(text_of(value), things)
+    found = mentioned_objects(text_of(value), things, known.language)
     if found:
         return known, found
-    new = tuple(thing for thing in things_in(value, known.scene) if thing not in things)
+    new = tuple(
+        thing for thing in things_in(value, known.scene, known.language) if thing not in things
+    )
     return replace(known, objects=(*things, *new)), tuple(thing.name for thing in new)
 
 
 def _action(known: Knowledge, index: Index, value: Value) -> Answered:
     text = text_of(value)
     node = at(known.root, index)
-    reading = read_action(text, known.objects or ())
+    reading = read_action(text, known.objects or (), known.language)
     if reading.action is None:
         return Answered(with_action(known, index, _free(known, text, reading.mentioned)))
     action = reading.action
     if not reading.mentioned:
-        spoken = read_action(node.name, known.objects or ()).mentioned
+        spoken = read_action(node.name, known.objects or (), known.language).mentioned
         named = [name for name in spoken if name.lower() in node.name.lower()]
         action = replace(action, object=named[-1] if named else action.object)
     return Answered(with_action(known, index, action))
@@ -198,7 +200,7 @@ def _free(known: Knowledge, text: str, mentioned: tuple[str, ...]) -> Action:
 
 
 def _body(known: Knowledge, thing: str, value: Value) -> Answered:
-    told = read_body(text_of(value))
+    told = read_body(text_of(value), known.language)
     if told.size_mm is None:
         return Answered(known, (line("error", "size", thing=thing),))
     return Answered(with_body(known, thing, told.shape or "box", told.size_mm))

@@ -51,11 +51,13 @@ def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) ->
 
 def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
     """Greet a teacher who tells a name; it is not the task's."""
-    name, rest = introduced_person(words.text, sure=not _asks(dialogue, "task_name"))
+    name, rest = introduced_person(
+        words.text, dialogue.language, sure=not _asks(dialogue, "task_name")
+    )
     if not name:
         return None
     told = line("told", "nice_to_meet", name=name)
-    opened = after(rest, "naming") or taught(rest)
+    opened = after(rest, "naming", dialogue.language) or taught(rest, dialogue.language)
     if opened and _asks(dialogue, "task_name"):
         said = say(dialogue, told)[1]
         return first(said, in_state(dialogue, acts.Inform(opened), replace(words, text=opened)))
@@ -63,10 +65,10 @@ def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) ->
 
 
 def _courtesy(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
-    if is_greeting(words.text):
+    if is_greeting(words.text, dialogue.language):
         return tell(dialogue, line("told", "hello"))
     unknown = all(isinstance(act, acts.Unknown | acts.Inform) for act in meant)
-    if unknown and is_thanks(words.text):
+    if unknown and is_thanks(words.text, dialogue.language):
         return tell(dialogue, line("told", "welcome"))
     return None
 
@@ -78,7 +80,7 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
         return None
     known = dialogue.known
     part = "naming_task" if state.asked in ("subtask_name", "actions", "which") else "naming"
-    name = mended(after(words.text, part))
+    name = mended(after(words.text, part, dialogue.language), dialogue.language)
     if name and state.asked == "task_name":
         return in_state(dialogue, acts.Inform(name), replace(words, text=name))
     if name and known.name:
@@ -92,7 +94,7 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
 
 
 def _late_goal(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
-    goal = after(words.text, "goal_told")
+    goal = after(words.text, "goal_told", dialogue.language)
     if not goal or state.asked in ("goal", "task_name"):
         return None
     known = replace(dialogue.known, goal=goal)
@@ -102,11 +104,11 @@ def _late_goal(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | N
 
 def _late_thing(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
     known = dialogue.known
-    text = after(words.text, "things_told")
+    text = after(words.text, "things_told", dialogue.language)
     if not text or known.objects is None or state.asked in ("goal", "task_name"):
         return None
     had = {one.name for one in known.objects}
-    new = tuple(one for one in things_in(text, known.scene) if one.name not in had)
+    new = tuple(one for one in things_in(text, known.scene, known.language) if one.name not in had)
     if not new:
         return None
     more: Knowledge = replace(known, objects=(*known.objects, *new))
@@ -116,7 +118,7 @@ def _late_thing(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | 
 
 def _late_count(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
     """Take another number of steps where the name of one is asked for."""
-    count = recounted(words.text)
+    count = recounted(words.text, dialogue.language)
     if state.asked != "subtask_name" or not count or count > MOST_PARTS:
         return None
     parent, known = state.index[:-1], dialogue.known
@@ -131,13 +133,13 @@ def _early_steps(dialogue: Dialogue, state: Introducing, words: Words) -> Turn |
     known = dialogue.known
     if state.asked not in ("objects", "body", "pose") or state.index or known.root.parts:
         return None
-    steps = listed_steps(words.text)
+    steps = listed_steps(words.text, language=dialogue.language)
     if not steps or len(set(steps)) < len(steps):
         return None
     root = with_parts(known.root, tuple(Sketch(step) for step in steps))
     more = replace(known, root=root)
     if known.objects is None:
-        more = replace(more, objects=things_in(words.text, known.scene))
+        more = replace(more, objects=things_in(words.text, known.scene, known.language))
     told = line("done", "steps", names=list(steps))
     noted = changed(dialogue, "steps", all_understood(more))
     return first(say(dialogue, told)[1], proceed(noted))
@@ -145,9 +147,9 @@ def _early_steps(dialogue: Dialogue, state: Introducing, words: Words) -> Turn |
 
 def _standing(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
     """Take where the teacher stands, told before it is asked."""
-    if dialogue.pending is not None or not mentions(words.text, hints("stands")):
+    if dialogue.pending is not None or not mentions(words.text, hints("stands", dialogue.language)):
         return None
-    told = matter(words.text, "facing")
+    told = matter(words.text, "facing", dialogue.language)
     if not told:
         return None
     known = replace(dialogue.known, facing="facing" if told == "facing" else "own")
@@ -156,15 +158,15 @@ def _standing(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) 
 
 
 def _puzzled(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
-    if not isinstance(dialogue.state, Introducing) or not is_puzzled(words.text):
+    if not isinstance(dialogue.state, Introducing) or not is_puzzled(words.text, dialogue.language):
         return None
     return tell(dialogue, help_line(dialogue))
 
 
 def _fresh(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
     """Begin another task; at the very beginning that is what goes on anyway."""
-    wanted = mentions(words.text, hints("new_task"))
-    if not wanted or not mentions(words.text, hints("new_task_verbs")):
+    wanted = mentions(words.text, hints("new_task", dialogue.language))
+    if not wanted or not mentions(words.text, hints("new_task_verbs", dialogue.language)):
         return None
     if _asks(dialogue, "task_name"):
         return ask(dialogue)

@@ -103,7 +103,7 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
 
 def _spoken_of(dialogue: Dialogue, words: str) -> str:
     """Return the one primitive whose action is spoken of: "grasp it a bit lower"; else none."""
-    action = read_action(words, dialogue.known.objects or ()).action
+    action = read_action(words, dialogue.known.objects or (), dialogue.language).action
     if action is None or (action.verb != "hand" and action.way != "approach"):
         return ""
     leaves = primitives(dialogue.known.task.tree)

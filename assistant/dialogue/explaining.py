@@ -24,7 +24,7 @@ from assistant.model.teacher_acts import Again, Explain, Show
 
 def explain(dialogue: Dialogue, act: Explain) -> Turn:
     """Answer a why or how question."""
-    topic = matter(act.text, "explain")
+    topic = matter(act.text, "explain", dialogue.language)
     lesson = dialogue.known.lesson
     named = _named(dialogue, act.text)
     told: RobotAct | None = None
@@ -78,9 +78,9 @@ def _number(text: str) -> float | None:
     return float(found.group()) if found else None
 
 
-def _ordinal(text: str) -> int | None:
-    ordinals: dict[str, int] = hints("ordinals")
-    found = (ordinals[word] for word in re.findall(r"[a-z]+", text.lower()) if word in ordinals)
+def _ordinal(dialogue: Dialogue, text: str) -> int | None:
+    ordinals: dict[str, int] = hints("ordinals", dialogue.language)
+    found = (ordinals[word] for word in re.findall(r"[^\W\d_]+", text.lower()) if word in ordinals)
     return next(found, None)
 
 
@@ -115,7 +115,7 @@ def _about(dialogue: Dialogue, name: str) -> About | None:
 
 def _assignment(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> RobotAct | None:
     episodes = lesson.segmentation.episodes
-    number = _number(text) or _ordinal(text)
+    number = _number(text) or _ordinal(dialogue, text)
     chosen = [(at, one) for at, one in enumerate(episodes, 1) if named and one.primitive == named]
     if not chosen and number is not None and 1 <= number <= len(episodes):
         chosen = [(int(number), episodes[int(number) - 1])]

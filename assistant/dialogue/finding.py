@@ -39,9 +39,15 @@ def find_whole(known: Knowledge, text: str) -> Index | None:
 def candidates(known: Knowledge, text: str) -> tuple[Index, ...]:
     """Return the positions of the nodes a text may refer to; the closest kind of likeness wins."""
     wanted = _plain(text)
+    fillers, forms = hints("fillers", known.language), hints("forms", known.language)
     nodes = [(index, _plain(node.name)) for index, node in walk(known.root) if index and node.name]
-    for fits in (_same, _inside, _most_words):
-        hits = tuple(index for index, name in nodes if fits(wanted, name))
+    asked = set(wanted.split()) - set(fillers)
+    for fits in (
+        lambda name: wanted == name,
+        lambda name: bool(wanted) and (wanted in name or name in wanted),
+        lambda name: bool(asked) and asked <= _forms(name, forms),
+    ):
+        hits = tuple(index for index, name in nodes if fits(name))
         if hits:
             return hits
     return ()
@@ -51,22 +57,13 @@ def _plain(text: str) -> str:
     return " ".join(re.findall(r"\w+", text.lower()))
 
 
-def _same(wanted: str, name: str) -> bool:
-    return wanted == name
-
-
-def _inside(wanted: str, name: str) -> bool:
-    return bool(wanted) and (wanted in name or name in wanted)
-
-
-def _most_words(wanted: str, name: str) -> bool:
-    asked = set(wanted.split()) - set(hints("fillers"))
-    return bool(asked) and asked <= {part for word in name.split() for part in _forms(word)}
-
-
-def _forms(word: str) -> Sequence[str]:
-    stem = word.removesuffix("e")
-    return (word, f"{word}s", f"{stem}ing", f"{word}{word[-1]}ing")
+def _forms(name: str, forms: Sequence[str]) -> set[str]:
+    """Return the words of a name in the forms a teacher may give them: "move", "moving"."""
+    return {
+        form.format(word=word, stem=word.removesuffix("e"), last=word[-1])
+        for word in name.split()
+        for form in forms
+    }
 
 
 def unclear(dialogue: Dialogue, name: str, act: TeacherAct | None = None) -> Turn:

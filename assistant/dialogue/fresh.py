@@ -21,7 +21,9 @@ def fresh_wanted(dialogue: Dialogue) -> Turn:
 def fresh(dialogue: Dialogue) -> Turn:
     """Begin another task with the same things on the table; undo brings the old one back."""
     known = dialogue.known
-    empty = Knowledge(scene=known.scene, setup=known.setup, facing=known.facing)
+    empty = Knowledge(
+        scene=known.scene, setup=known.setup, facing=known.facing, language=known.language
+    )
     begun = replace(
         changed(dialogue, "fresh", empty),
         state=Introducing("task_name"),

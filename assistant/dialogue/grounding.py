@@ -32,7 +32,7 @@ def two_ways(dialogue: Dialogue, text: str, meant: Sequence[acts.TeacherAct]) ->
         return False
     going = any(isinstance(act, acts.Affirm | acts.Start | acts.Approve) for act in meant)
     plain = " ".join(re.findall(r"\w+", text.lower()))
-    return going and plain in hints("two_ways")
+    return going and plain in hints("two_ways", dialogue.language)
 
 
 def _grounded(act: acts.TeacherAct, known: Sequence[str]) -> bool:

@@ -149,7 +149,7 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return say(dialogue, *map(in_full, dialogue.said)) if dialogue.said else ask(dialogue)
         case acts.Explain():
             return explain(dialogue, act)
-        case acts.Show() if mentions(words.text, hints("questions")):
+        case acts.Show() if mentions(words.text, hints("questions", dialogue.language)):
             return explain(dialogue, acts.Explain(words.text))
         case acts.Show():
             return show(dialogue, act)
@@ -202,7 +202,7 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
 def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Turn:
     """Take the one the teacher meant of several steps."""
     offered: list[str] = pending.line.slots["names"]
-    number = number_of(text)
+    number = number_of(text, dialogue.language)
     if number is not None and 1 <= number <= len(offered):
         names = [offered[number - 1]]
     else:
@@ -218,7 +218,7 @@ def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Tu
 def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Words) -> Turn:
     """Take where the teacher stands; whoever does not say stands as the robot looks."""
     text = words.text if not isinstance(act, acts.Inform) else str(act.value)
-    told = stands(text)
+    told = stands(text, dialogue.language)
     if not told and isinstance(act, acts.Inform) and not pending.line.slots.get("twice"):
         twice = replace(pending, line=line("ask", "facing", asked="facing", twice=True))
         again = replace(dialogue, pending=twice)

@@ -39,9 +39,9 @@ from assistant.model.listening import Listening
 from assistant.model.robot_acts import About
 
 
-def begin() -> Dialogue:
-    """Return the dialogue before anything happened."""
-    return Dialogue()
+def begin(language: str = "english") -> Dialogue:
+    """Return the dialogue before anything happened, in a language of the phrasebooks."""
+    return Dialogue(Knowledge(language=language))
 
 
 def step(dialogue: Dialogue, event: Event) -> tuple[Dialogue, tuple[Effect, ...]]:
@@ -98,7 +98,7 @@ def _answer(dialogue: Dialogue, event: Event) -> Turn:
 
 def _begun(dialogue: Dialogue, event: Begun) -> Turn:
     """Greet, and begin with the introduction or go on with a task that was given."""
-    known = Knowledge(scene=event.scene, setup=event.setup)
+    known = replace(dialogue.known, scene=event.scene, setup=event.setup)
     # Kept tasks come by their files' names.
     saved = tuple(name.replace("_", " ") for name in event.saved)
     open_dialogue = replace(dialogue, known=known, saved=saved)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from functools import cache
 
-from assistant.language.actions import role_of
+from assistant.language.actions import called_things, role_of
 from assistant.language.hints import hints, phrase_pattern
 from assistant.language.slips import without_slips
 from assistant.model.scene import Scene
@@ -17,7 +18,7 @@ LONGEST_NAME = 8
 SHORTEST_NAME = 3
 """Letters of a task's name; fewer are asked about."""
 
-_ARTICLE = r"^(?:(?:and|the|teh|hte|a|an|my|your|its|one|some|this|that)\s+)+"
+QUOTES = " \t\"'.,;:!?„“”«»"
 
 Value = str | int | tuple[str, ...]
 
@@ -27,22 +28,22 @@ def text_of(value: Value) -> str:
     return ", ".join(value) if isinstance(value, tuple) else str(value)
 
 
-def number_of(value: Value) -> int | None:
+def number_of(value: Value, language: str = "english") -> int | None:
     """Return an answer as a count, or None if it tells none."""
     if isinstance(value, int):
         return value
     text = text_of(value).strip().lower()
-    numbers: dict[str, int] = hints("numbers")
+    numbers: dict[str, int] = hints("numbers", language)
     found = re.search(r"-?\d+", text)
     if found:
         return int(found.group())
-    return next((numbers[word] for word in re.findall(r"[a-z]+", text) if word in numbers), None)
+    return next((numbers[word] for word in re.findall(r"[^\W\d_]+", text) if word in numbers), None)
 
 
-def tidy(name: str) -> str:
+def tidy(name: str, language: str = "english") -> str:
     """Return a name without quotes, end marks and openers such as "first you"."""
-    text = re.sub(r"\s+", " ", name).strip(" \t\"'.,;:!?")
-    openers: list[str] = hints("openers")
+    text = re.sub(r"\s+", " ", name).strip(QUOTES)
+    openers: list[str] = hints("openers", language)
     stripped = True
     while stripped:
         stripped = False
@@ -54,7 +55,7 @@ def tidy(name: str) -> str:
     return text
 
 
-def steps_in(value: Value, room: int) -> tuple[str, ...]:
+def steps_in(value: Value, room: int, language: str = "english") -> tuple[str, ...]:
     """Return the names in an answer.
 
     Parameters
@@ -62,49 +63,58 @@ def steps_in(value: Value, room: int) -> tuple[str, ...]:
     value : text, integer or tuple of text
     room : int
         How many names are still missing; "a and b" is two only if that fits.
+    language : str
     """
     if isinstance(value, tuple):
-        return _told(value)
-    pieces = _split(str(value), hints("separators"))
+        return _told(value, language)
+    pieces = _split(str(value), hints("separators", language))
+    joins = hints("joins", language)
     if room > 1:
         # "pick it up, move it over and put it down": the last "and" joins a list.
-        parted = [part for piece in pieces for part in _split(piece, hints("joins"))]
+        parted = [part for piece in pieces for part in _split(piece, joins)]
         plain = all(len(part.split()) > 1 for part in parted)
         if len(parted) > len(pieces) and (len(parted) == room or len(pieces) > 1) and plain:
             pieces = parted
         elif len(pieces) == 1:
-            pieces = _at_verbs(pieces[0], room) or pieces
-    return _told(pieces)
+            pieces = _at_verbs(pieces[0], room, language) or pieces
+    return _told(pieces, language)
 
 
-def _told(pieces: Sequence[str]) -> tuple[str, ...]:
+def _told(pieces: Sequence[str], language: str) -> tuple[str, ...]:
     """Return the tidied names of which some tell more than "carefully, please"."""
-    names = tuple(filter(None, map(tidy, pieces)))
-    return tuple(name for name in names if not is_no_step(name)) or names
+    names = tuple(filter(None, (tidy(piece, language) for piece in pieces)))
+    return tuple(name for name in names if not is_no_step(name, language)) or names
 
 
-def _verbs() -> set[str]:
+def _verbs(language: str) -> set[str]:
     """Return the words that begin what a teacher says of an action."""
-    entries = (*hints("actions"), *hints("guesses"))
+    entries = (*hints("actions", language), *hints("guesses", language))
     return {phrase.split()[0] for entry in entries for phrase in entry["phrases"]}
 
 
-def listed_steps(text: str, room: int = 2) -> tuple[str, ...]:
+def listed_steps(text: str, room: int = 2, language: str = "english") -> tuple[str, ...]:
     """Return the steps of a text that plainly lists several, each beginning with its verb."""
-    steps = steps_in(text, room)
-    plain = all(without_slips(step).lower().split()[0] in _verbs() for step in steps)
+    steps = steps_in(text, room, language)
+    plain = all(_begins_or_ends_with_verb(step, language) for step in steps)
     return steps if len(steps) > 1 and plain else ()
 
 
-def _at_verbs(text: str, room: int) -> list[str]:
+def _begins_or_ends_with_verb(step: str, language: str) -> bool:
+    """Whether a step's verb stands where the language puts it: "lift the block", "Block heben"."""
+    words = without_slips(step, (), language).lower().split()
+    verbs = _verbs(language)
+    return words[0] in verbs or (hints("verb_last", language) and words[-1] in verbs)
+
+
+def _at_verbs(text: str, room: int, language: str) -> list[str]:
     """Return the steps of a list heard without commas, if just as many are missing."""
-    verbs = _verbs()
+    verbs = _verbs(language)
     pieces: list[list[str]] = []
     for word in text.split():
         if word.lower() in verbs or not pieces:
             pieces.append([])
         pieces[-1].append(word)
-    joints = {joint.strip() for joint in hints("joins")}
+    joints = {joint.strip() for joint in hints("joins", language)}
     steps = [" ".join(piece[:-1] if piece[-1] in joints else piece) for piece in pieces]
     return steps if len(steps) == room and all(len(step.split()) > 1 for step in steps) else []
 
@@ -119,46 +129,49 @@ def as_said(value: str, text: str) -> str:
     return value
 
 
-def name_and_steps(text: str) -> tuple[str, tuple[str, ...]]:
+def name_and_steps(text: str, language: str = "english") -> tuple[str, tuple[str, ...]]:
     """Return a task's name and the steps told in the same breath, if any were."""
-    pieces = _split(text, hints("separators"))
-    opened = any(tidy(piece).lower() != piece.strip(" .").lower() for piece in pieces[1:])
+    pieces = _split(text, hints("separators", language))
+    opened = any(tidy(piece, language).lower() != piece.strip(" .").lower() for piece in pieces[1:])
     if len(pieces) < 2 or not opened:
         return tidy_name(text), ()
-    return tidy_name(pieces[0]), tuple(filter(None, map(tidy, pieces[1:])))
+    return tidy_name(pieces[0]), tuple(
+        filter(None, (tidy(piece, language) for piece in pieces[1:]))
+    )
 
 
 def tidy_name(name: str) -> str:
     """Return a name without quotes and end marks."""
-    return re.sub(r"\s+", " ", name).strip(" \t\"'.,;:!?")
+    return re.sub(r"\s+", " ", name).strip(QUOTES)
 
 
-def is_odd(name: str) -> bool:
+def is_odd(name: str, language: str = "english") -> bool:
     """Whether a name is more likely something else: a question, a word of talk, a sentence."""
     words = re.findall(r"[^\W\d_]+", name.lower())
-    odd: list[str] = hints("no_task_name")
+    odd: list[str] = hints("no_task_name", language)
     if not words or "?" in name or len("".join(words)) < SHORTEST_NAME:
         return True
     return len(words) > LONGEST_NAME or words[0] in odd
 
 
-def is_no_step(name: str) -> bool:
+def is_no_step(name: str, language: str = "english") -> bool:
     """Whether a name is a word of talk such as "none", and no name of a step."""
-    return alike(name, hints("no_step_names"))
+    return alike(name, hints("no_step_names", language))
 
 
-def things_in(value: Value, scene: Scene) -> tuple[TaskObject, ...]:
+def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[TaskObject, ...]:
     """Return the objects an answer names, by the scene's names where it knows them.
 
     "the cup should be on the tray" names a cup and a tray.
     """
-    phrases = value if isinstance(value, tuple) else _things(str(value))
-    told = [part for phrase in phrases for part in _parted(phrase, scene)]
+    phrases = value if isinstance(value, tuple) else _things(str(value), language)
+    told = [part for phrase in phrases for part in _parted(phrase, scene, language)]
     # A size such as "8 cm wide" is no thing.
     parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
-    names = [known_name(_bare(phrase), scene) for phrase in parted]
-    unique = dict.fromkeys(name for name in names if name and not alike(name, hints("no_things")))
-    return tuple(TaskObject(name, role(name, scene)) for name in unique)
+    names = [known_name(_bare(phrase, language), scene, language) for phrase in parted]
+    no_things: list[str] = hints("no_things", language)
+    unique = dict.fromkeys(name for name in names if name and not alike(name, no_things))
+    return tuple(TaskObject(name, role(name, scene, language)) for name in unique)
 
 
 def thing_names(scene: Scene, setup: Setup) -> list[str]:
@@ -166,50 +179,69 @@ def thing_names(scene: Scene, setup: Setup) -> list[str]:
     return [name for name in scene.bodies if name in setup.places]
 
 
-def _parted(phrase: str, scene: Scene) -> list[str]:
+def _parted(phrase: str, scene: Scene, language: str) -> list[str]:
     """Return the things in a phrase that is more than a name: what stands between its verbs."""
-    if known_name(_bare(phrase), scene) in scene.bodies:
+
+    def there(part: str) -> bool:
+        return known_name(_bare(part, language), scene, language) in scene.bodies
+
+    if there(phrase):
         return [phrase]
-    joints = sorted(hints("thing_joints"), key=len, reverse=True)
+    joints = sorted(hints("thing_joints", language), key=len, reverse=True)
     pattern = r"\b(?:" + "|".join(map(re.escape, joints)) + r")\b"
     parts = re.split(pattern, phrase, flags=re.IGNORECASE)
-    no_things: list[str] = hints("no_things")
-    bare = [part for part in parts if _bare(part) and _bare(part).lower() not in no_things]
     if len(parts) == 1:
         return [phrase]
+    no_things: list[str] = hints("no_things", language)
+    barely = [(part, _bare(part, language).lower()) for part in parts]
+    bare = [part for part, name in barely if name and name not in no_things]
     # In a whole sentence a new thing has an article; one that is known needs none.
-    led = [part for part in bare if re.match(_ARTICLE, part.strip(), re.IGNORECASE)]
-    there = [part for part in bare if known_name(_bare(part), scene) in scene.bodies]
-    return [part for part in bare if part in led or part in there] if led else bare
+    led = [part for part in bare if _article(language).match(part.strip())]
+    return [part for part in bare if part in led or there(part)] if led else bare
 
 
-def known_name(phrase: str, scene: Scene) -> str:
+def known_name(phrase: str, scene: Scene, language: str = "english") -> str:
     """Return the scene's name for a thing, or the phrase itself if the scene has none.
 
     "the red block" is the block of the scene if that is red, or if no other block is there.
     """
-    lowered = without_slips(phrase, scene.bodies).lower()
-    for name in scene.bodies:
-        if name.lower() == lowered:
+    called = {name: called_things(name, language) for name in scene.bodies}
+    lowered = without_slips(phrase, [one for all_ in called.values() for one in all_], language)
+    lowered = lowered.lower()
+    for name, words in called.items():
+        if lowered in words:
             return name
-    inside = [name for name in scene.bodies if phrase_pattern(name.lower()).search(lowered)]
+    inside = {
+        name: hit.group()
+        for name, words in called.items()
+        for hit in (phrase_pattern(word).search(lowered) for word in words)
+        if hit
+    }
     others = set(re.findall(r"\w+", lowered))
-    fitting = [name for name in inside if others <= _words_of(name, scene)]
-    candidates = fitting or inside
-    return candidates[0] if len(candidates) == 1 and fitting else phrase
+    fitting = [
+        name
+        for name, said in inside.items()
+        if others - set(said.split()) <= _words_of(name, scene, language)
+    ]
+    return fitting[0] if len(fitting) == 1 else phrase
 
 
-def _words_of(name: str, scene: Scene) -> set[str]:
+def _words_of(name: str, scene: Scene, language: str) -> set[str]:
+    """Return the words that may be said of a body: its name, color and shape."""
     body = scene.bodies[name]
-    return {*re.findall(r"\w+", f"{name} {body.color} {body.shape}".lower()), "wooden", "small"}
+    colors: dict[str, list[str]] = hints("colors", language)
+    shapes: dict[str, list[str]] = hints("shapes", language)
+    plain = {*re.findall(r"\w+", f"{name} {body.color} {body.shape}".lower())}
+    told = (*colors.get(body.color, ()), *hints("said_of_things", language))
+    return plain | set(told) | (set(shapes.get(body.shape, ())) if colors else set())
 
 
-def role(name: str, scene: Scene) -> Role:
+def role(name: str, scene: Scene, language: str = "english") -> Role:
     """Return ``target`` for what cannot be moved or is called one, else ``object``."""
     body = scene.bodies.get(name)
     if body is not None and body.mass_kg == 0:
         return "target"
-    return "target" if body is None and role_of(name) == "target" else "object"
+    return "target" if body is None and role_of(name, language) == "target" else "object"
 
 
 def alike(name: str, others: Sequence[str]) -> bool:
@@ -218,12 +250,19 @@ def alike(name: str, others: Sequence[str]) -> bool:
     return any(" ".join(other.lower().split()) == plain for other in others)
 
 
-def _things(text: str) -> list[str]:
-    return [piece for piece in re.split(r",|;|\band\b|\bplus\b|\bonto\b", text) if piece.strip()]
+def _things(text: str, language: str) -> list[str]:
+    between = "|".join(rf"\b{re.escape(one)}\b" for one in hints("between_things", language))
+    return [piece for piece in re.split(rf",|;|{between}", text) if piece.strip()]
 
 
-def _bare(phrase: str) -> str:
-    return re.sub(_ARTICLE, "", tidy_name(phrase), flags=re.IGNORECASE)
+def _bare(phrase: str, language: str) -> str:
+    return _article(language).sub("", tidy_name(phrase))
+
+
+@cache
+def _article(language: str) -> re.Pattern[str]:
+    articles = "|".join(map(re.escape, hints("articles", language)))
+    return re.compile(rf"^(?:(?:{articles})\s+)+", re.IGNORECASE)
 
 
 def _split(text: str, separators: Sequence[str]) -> list[str]:

@@ -35,7 +35,11 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     known = dialogue.known
     thing = thing_named(known, act.object)
     # "A flat box 12 by 12 by 1" tells a size, however much it looks like a place.
-    if not thing and isinstance(dialogue.state, Introducing) and not matter(act.object, "shapes"):
+    if (
+        not thing
+        and isinstance(dialogue.state, Introducing)
+        and not matter(act.object, "shapes", dialogue.language)
+    ):
         thing = dialogue.state.thing
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))
@@ -69,12 +73,12 @@ def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:
 def thing_named(known: Knowledge, text: str) -> str:
     """Return the name of the thing a text refers to; empty if none."""
     things = known.objects or ()
-    named = known_name(text, known.scene)
+    named = known_name(text, known.scene, known.language)
     if named in known.scene.bodies or any(one.name == named for one in things):
         return named
     if named in known.setup.places:
         return named
-    found = mentioned_objects(text, things)
+    found = mentioned_objects(text, things, known.language)
     return found[0] if len(found) == 1 else ""
 
 
@@ -90,9 +94,9 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
     """
     old = known.setup.places.get(thing)
     kind: Kind = old.kind if old is not None else "body"
-    if mentions(words, hints("place_of")["hand"]):
+    if mentions(words, hints("place_of", known.language)["hand"]):
         kind = "hand"
-    elif mentions(words, hints("place_of")["body"]):
+    elif mentions(words, hints("place_of", known.language)["body"]):
         kind = "body"
     elif act.position_mm is not None:
         kind = _likely_kind(known.scene, thing, act.position_mm, kind)

@@ -78,7 +78,7 @@ def told_steps(
         return ()
     named = state.asked == "subtask_name"
     parts = at(dialogue.known.root, state.index[:-1]).parts
-    return listed_steps(text, len(parts) - state.index[-1] + 1 if named else 2)
+    return listed_steps(text, len(parts) - state.index[-1] + 1 if named else 2, dialogue.language)
 
 
 def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
@@ -104,10 +104,10 @@ def _introducing(
     place = _place(state, act, words)
     if place is not None:
         return set_pose(dialogue, place, words.text, sure=words.sure or not words.by_voice)
-    value = _value(state, act, words)
+    value = _value(dialogue, state, act, words)
     if value is not None and state.asked == "task_name" and not words.sure:
-        name = name_and_steps(text_of(value))[0]
-        if is_odd(name):
+        name = name_and_steps(text_of(value), dialogue.language)[0]
+        if is_odd(name, dialogue.language):
             return _odd_name(dialogue, act, name, words)
     if value is not None:
         return _answered(dialogue, state, value)
@@ -149,7 +149,9 @@ def _confirmed(dialogue: Dialogue) -> Dialogue:
     return changed(dialogue, "confirmed", known, clean=dialogue.clean)
 
 
-def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | None:
+def _value(
+    dialogue: Dialogue, state: Introducing, act: acts.TeacherAct, words: Words
+) -> Value | None:
     """Return what an act answers to the open question, if it does."""
     if state.asked in ("confirm_tree", "pose"):
         return None
@@ -161,8 +163,9 @@ def _value(state: Introducing, act: acts.TeacherAct, words: Words) -> Value | No
         told = as_said(act.value, words.text)
         # What the hand does is told whole: "let go of it" is not "go of it".
         naming = state.asked in ("subtask_name", "actions")
-        lost = naming and not _tells_action(told) and _tells_action(words.text)
-        return tidy(words.text) if lost else told
+        language = dialogue.language
+        lost = naming and not _tells_action(told, language) and _tells_action(words.text, language)
+        return tidy(words.text, language) if lost else told
     if isinstance(act, acts.AddSubtask) and state.asked == "subtask_name":
         return act.name
     if isinstance(act, acts.Rename):
@@ -177,22 +180,22 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
     if not meant or not all(isinstance(act, acts.Inform) for act in meant):
         return False
     if dialogue.pending is not None:
-        return dialogue.pending.asked == "facing" and bool(stands(text))
+        return dialogue.pending.asked == "facing" and bool(stands(text, dialogue.language))
     state = dialogue.state
     if not isinstance(state, Introducing):
         return False
     values = tuple(value for act in meant for value in _values(act))
     match state.asked:
         case "body":
-            return read_body(text).size_mm is not None
+            return read_body(text, dialogue.language).size_mm is not None
         case "objects" if not state.index:
             scene = dialogue.known.scene
-            things = things_in(values, scene)
+            things = things_in(values, scene, dialogue.language)
             return bool(things) and all(thing.name in scene.bodies for thing in things)
         case "subtask_count":
-            return values == (str(number_of(text)),)
+            return values == (str(number_of(text, dialogue.language)),)
         case "subtask_name":
-            return _tells_action(text)
+            return _tells_action(text, dialogue.language)
         case asked:
             # What the robot has no word for is done as shown, and read back with the plan.
             return asked == "actions"
@@ -203,8 +206,8 @@ def _values(act: acts.TeacherAct) -> tuple[str, ...]:
     return value if isinstance(value, tuple) else (str(value),)
 
 
-def _tells_action(text: str) -> bool:
-    return read_action(text, ()).action is not None
+def _tells_action(text: str, language: str) -> bool:
+    return read_action(text, (), language).action is not None
 
 
 def _answered(dialogue: Dialogue, state: Introducing, value: Value) -> Turn:
@@ -233,7 +236,7 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
         case "actions":
             return _answered(dialogue, state, name_at(known, state.index))
         case "body":
-            flat = role(state.thing, known.scene) == "target"
+            flat = role(state.thing, known.scene, known.language) == "target"
             told = line("told", "assumed_flat" if flat else "assumed_body", thing=state.thing)
             size_mm = (*ASSUMED_MM[:2], 0.0) if flat else ASSUMED_MM
             known = with_body(known, state.thing, "box", size_mm)

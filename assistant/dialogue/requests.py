@@ -44,7 +44,7 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
 
 def _rewind(dialogue: Dialogue, words: Words) -> Turn | None:
     """Nothing runs backwards: offer to begin anew."""
-    if not after(words.text, "rewind"):
+    if not after(words.text, "rewind", dialogue.language):
         return None
     question = line("confirm", "begin_anew", asked="ready")
     return ask(replace(dialogue, pending=Pending("ready", question, (Again(),), words.text)))
@@ -52,19 +52,22 @@ def _rewind(dialogue: Dialogue, words: Words) -> Turn | None:
 
 def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
     """Load, compare or delete a kept task that is called by its name."""
-    name = known_as(dialogue, after(words.text, "go_on_with"))
+    name = known_as(dialogue, after(words.text, "go_on_with", dialogue.language))
     if name:
         return load(dialogue, name)
-    other = known_as(dialogue, after(words.text, "compare_with"))
+    other = known_as(dialogue, after(words.text, "compare_with", dialogue.language))
     if other:
         return load(dialogue, other, comparing=True)
-    doomed = known_as(dialogue, after(words.text, "delete_task"))
+    doomed = known_as(dialogue, after(words.text, "delete_task", dialogue.language))
     return discard_wanted(dialogue, doomed) if doomed else None
 
 
 def _look_ahead(dialogue: Dialogue, words: Words) -> Turn | None:
     """Check a run and tell it, without moving."""
-    if not mentions(words.text, hints("dry_run")) or dialogue.known.lesson is None:
+    if (
+        not mentions(words.text, hints("dry_run", dialogue.language))
+        or dialogue.known.lesson is None
+    ):
         return None
     checking = begin_run(replace(dialogue, arm="rest"), look=True)[0]
     run = checking.run and replace(checking.run, purpose="dry")
@@ -74,7 +77,7 @@ def _look_ahead(dialogue: Dialogue, words: Words) -> Turn | None:
 
 def _home(dialogue: Dialogue, words: Words) -> Turn | None:
     """Bring the hand back to where the arrangement has it start, at rest or after a stop."""
-    if not mentions(words.text, hints("home")):
+    if not mentions(words.text, hints("home", dialogue.language)):
         return None
     if dialogue.arm not in ("rest", "stopped", "paused"):
         return None
@@ -84,11 +87,11 @@ def _home(dialogue: Dialogue, words: Words) -> Turn | None:
 
 def _swapped(dialogue: Dialogue, words: Words) -> Turn | None:
     """Put two things in each other's place and look whether they can be reached there."""
-    if not mentions(words.text, hints("swap")):
+    if not mentions(words.text, hints("swap", dialogue.language)):
         return None
     known = dialogue.known
     placed = [one for one in known.objects or () if one.name in known.setup.places]
-    told = mentioned_objects(words.text, placed) if len(placed) > 2 else ()
+    told = mentioned_objects(words.text, placed, dialogue.language) if len(placed) > 2 else ()
     names = told[:2] if len(told) > 1 else tuple(one.name for one in placed)
     if len(names) != 2 or any(name not in known.scene.bodies for name in names):
         return tell(dialogue, line("error", "swap_which", names=[one.name for one in placed]))

@@ -179,7 +179,7 @@ def _introduced_late(dialogue: Dialogue, name: str, from_s: float) -> Turn:
     after = index_of(known, before) if before else ()
     parent, position = (after[:-1], after[-1] + 1) if after else ((), 1)
     # It was seen as one motion; without a word for it, it is done as shown.
-    action = read_action(name, known.objects or ()).action or Action("free", name)
+    action = read_action(name, known.objects or (), known.language).action or Action("free", name)
     root = inserted(known.root, parent, position, Sketch(name, True, action=action))
     assigned = tuple(sorted({**dict(_as_assigned(lesson)), number + 1: name}.items()))
     more = replace(known, root=root, cuts_s=_boundaries(lesson), assigned=assigned)

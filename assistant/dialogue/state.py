@@ -38,6 +38,8 @@ class Knowledge:
         Objects whose place the teacher leaves to the demonstration.
     learned_root : Sketch or None
         The tree that the lesson was learned with.
+    language : str
+        Which phrasebook the teacher's words are read with.
     """
 
     scene: Scene = field(default_factory=Scene)
@@ -55,6 +57,7 @@ class Knowledge:
     learned_root: Sketch | None = None
     reviewed: bool = False
     facing: Facing | None = None
+    language: str = "english"
 
     @property
     def task(self) -> Task:
@@ -283,6 +286,11 @@ class Dialogue:
     after: After = ("", "")
     comparing: bool = False
     learn_why: str = ""
+
+    @property
+    def language(self) -> str:
+        """Which phrasebook the teacher's words are read with."""
+        return self.known.language
 
     @property
     def busy(self) -> bool:

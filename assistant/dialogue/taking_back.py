@@ -16,11 +16,11 @@ from assistant.model.feedback import Feedback
 def numbered(dialogue: Dialogue, words: Words) -> Turn | None:
     """Take back or bring again the corrections that a sentence numbers; None if it does not."""
     text = words.text.lower()
-    if dialogue.known.lesson is None or not mentions(text, hints("corrections")):
+    if dialogue.known.lesson is None or not mentions(text, hints("corrections", dialogue.language)):
         return None
-    if mentions(text, hints("bring_back")):
+    if mentions(text, hints("bring_back", dialogue.language)):
         return _brought(dialogue, text)
-    return _taken(dialogue, text) if mentions(text, hints("take_back")) else None
+    return _taken(dialogue, text) if mentions(text, hints("take_back", dialogue.language)) else None
 
 
 def _given(known: Knowledge) -> tuple[Feedback, ...]:
@@ -29,7 +29,7 @@ def _given(known: Knowledge) -> tuple[Feedback, ...]:
 
 def _taken(dialogue: Dialogue, text: str) -> Turn | None:
     given = _given(dialogue.known)
-    wanted = _numbers(text, len(given))
+    wanted = _numbers(dialogue, text, len(given))
     if wanted is None:
         return None
     lost = [number for number in wanted if not 1 <= number <= len(given)]
@@ -44,7 +44,7 @@ def _taken(dialogue: Dialogue, text: str) -> Turn | None:
 
 def _brought(dialogue: Dialogue, text: str) -> Turn | None:
     """Bring back what stood at a number the last time when one more correction stood."""
-    wanted = _numbers(text, 0)
+    wanted = _numbers(dialogue, text, 0)
     if wanted is None or len(wanted) != 1:
         return None
     number, now = wanted[0], _given(dialogue.known)
@@ -65,18 +65,18 @@ def _with(dialogue: Dialogue, feedback: tuple[Feedback, ...]) -> Dialogue:
     return corrected(changed(dialogue, "corrections", known))
 
 
-def _numbers(text: str, count: int) -> tuple[int, ...] | None:
+def _numbers(dialogue: Dialogue, text: str, count: int) -> tuple[int, ...] | None:
     """Return which numbers a text means, of `count`; None if it tells none."""
-    ordinals: dict[str, int] = hints("ordinals")
-    counts: dict[str, int] = hints("numbers")
-    words = re.findall(r"[a-z]+|\d+", text)
+    ordinals: dict[str, int] = hints("ordinals", dialogue.language)
+    counts: dict[str, int] = hints("numbers", dialogue.language)
+    words = re.findall(r"[^\W\d_]+|\d+", text)
     value = {**ordinals, **counts}
     # "the correction one" is number one, "the last two corrections" are two of them.
     told = [int(word) if word.isdigit() else value.get(word, 0) for word in words]
     numbers = [number for number in told if number > 0]
-    if mentions(text, hints("latest")):
+    if mentions(text, hints("latest", dialogue.language)):
         many = numbers[0] if numbers else 1
         return tuple(range(max(count - many, 0) + 1, count + 1)) if many > 1 else None
-    if mentions(text, hints("every")):
+    if mentions(text, hints("every", dialogue.language)):
         return tuple(range(1, count + 1))
     return tuple(sorted(set(numbers))) or None

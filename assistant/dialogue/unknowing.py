@@ -22,9 +22,9 @@ def unknowing(dialogue: Dialogue, text: str) -> bool:
     state = dialogue.state
     if not isinstance(state, Introducing):
         return False
-    later = state.asked == "pose" and mentions(text, hints("shown_later"))
+    later = state.asked == "pose" and mentions(text, hints("shown_later", dialogue.language))
     told = later and re.search(r"\d", text) is None
-    return told or asides.unknowing(text)
+    return told or asides.unknowing(text, dialogue.language)
 
 
 def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
@@ -39,7 +39,7 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
         return _suggested(free, words)
     if state.asked == "subtask_name":
         return _unnamed(free, state, words)
-    if state.asked == "pose" and mentions(words.text, hints("all_of_them")):
+    if state.asked == "pose" and mentions(words.text, hints("all_of_them", dialogue.language)):
         return _all_shown(free)
     if state.asked == "objects" and not state.index:
         return _all_things(free, words)
@@ -64,7 +64,7 @@ def _all_things(dialogue: Dialogue, words: Words) -> Turn:
 
 
 def _named_for_now(dialogue: Dialogue) -> Turn:
-    name: str = hints("default_name")
+    name: str = hints("default_name", dialogue.language)
     known = dialogue.known
     named = replace(known, name=name, root=replace(known.root, name=name))
     told = line("told", "assumed_name", name=name)
@@ -100,5 +100,5 @@ def suggested_steps(dialogue: Dialogue) -> tuple[str, ...]:
     targets = [one.name for one in things if one.role == "target"]
     if len(carried) != 1 or len(targets) != 1:
         return ()
-    told: list[str] = hints("suggested_steps")
+    told: list[str] = hints("suggested_steps", dialogue.language)
     return tuple(one.format(object=carried[0], target=targets[0]) for one in told)

@@ -59,11 +59,13 @@ def mentioned_objects(
     text: str, objects: Sequence[TaskObject], language: str = "english"
 ) -> tuple[str, ...]:
     """Return the names of the objects a text mentions, in the order said."""
-    lowered = without_slips(text, [one.name for one in objects], language).lower()
+    names = [word for one in objects for word in called_things(one.name, language)]
+    lowered = without_slips(text, names, language).lower()
     found: dict[str, int] = {}
-    for known in sorted(objects, key=lambda one: -len(one.name)):
-        hit = phrase_pattern(known.name.lower()).search(lowered)
-        if hit:
+    called = [(word, one) for one in objects for word in called_things(one.name, language)]
+    for word, known in sorted(called, key=lambda pair: -len(pair[0])):
+        hit = phrase_pattern(word).search(lowered)
+        if hit and known.name not in found:
             found[known.name] = hit.start()
             # A longer name takes its words away, so that "blue block" is not also "block".
             lowered = lowered[: hit.start()] + "#" * len(hit.group()) + lowered[hit.end() :]
@@ -74,6 +76,12 @@ def mentioned_objects(
         if len(alike) == 1 and starts and alike[0] not in found:
             found[alike[0]] = min(starts)
     return tuple(sorted(found, key=lambda name: found[name]))
+
+
+def called_things(name: str, language: str = "english") -> tuple[str, ...]:
+    """Return the words a thing may be called by: its own name, and what teachers say for it."""
+    told: dict[str, list[str]] = hints("things", language)
+    return (name.lower(), *told.get(name.lower(), ()))
 
 
 def role_of(name: str, language: str = "english") -> str:

@@ -10,7 +10,7 @@ from assistant.language.hints import hints, matter, mentions
 
 Triple = tuple[float, float, float]
 Shape = Literal["box", "cylinder", "sphere", "cup"]
-_NUMBER = re.compile(r"(\d+(?:[.,]\d+)?)\s*([a-z]+)?|\b([a-z]+)\b")
+_NUMBER = re.compile(r"(\d+(?:[.,]\d+)?)\s*([^\W\d_]+)?|\b([^\W\d_]+)\b")
 
 
 @dataclass(frozen=True, slots=True)

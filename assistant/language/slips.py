@@ -21,8 +21,8 @@ SHORTEST = 4
 
 def without_slips(text: str, names: Iterable[str] = (), language: str = "english") -> str:
     """Return a text whose unknown words are the words of actions and names nearest to them."""
-    own = frozenset(word for name in names for word in re.findall(r"[a-z]+", name.lower()))
-    return re.sub(r"[A-Za-z]+", lambda found: _nearest(found.group(), own, language), text)
+    own = frozenset(word for name in names for word in re.findall(r"[^\W\d_]+", name.lower()))
+    return re.sub(r"[^\W\d_]+", lambda found: _nearest(found.group(), own, language), text)
 
 
 def stands(text: str, language: str = "english") -> str:
@@ -37,7 +37,7 @@ def _vocabulary(language: str) -> frozenset[str]:
     entries = (*hints("actions", language), *hints("guesses", language))
     phrases = [phrase for entry in entries for phrase in entry["phrases"]]
     phrases += [*hints("targets", language), *hints("compound", language)]
-    return frozenset(word for phrase in phrases for word in re.findall(r"[a-z]+", phrase))
+    return frozenset(word for phrase in phrases for word in re.findall(r"[^\W\d_]+", phrase))
 
 
 @lru_cache(maxsize=4096)

@@ -78,7 +78,7 @@ class Session:
         self.language = language
         self.fed = fed
         self.store = Store(journal.folder)
-        self.dialogue = begin()
+        self.dialogue = begin(language)
         self.mover = Mover(equipment)
         self.watching: Watching | None = None
         self.driven: DrivenHand | None = None
