@@ -8,6 +8,7 @@ from typing import Any
 
 from assistant.errors import BadInput
 from assistant.language.hints import has_page, page
+from assistant.language.kinds import KINDS
 from assistant.language.wording import Wording
 from assistant.model.robot_acts import RobotAct
 
@@ -37,7 +38,7 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     slots = dict(line.slots)
     if line.about is not None:
         slots.setdefault("name", line.about.name)
-    wording = Wording(book, slots)
+    wording = Wording(book, slots, KINDS)
     if template is None:
         return wording.fill(str(slots.get("reason", "")) or line.topic.replace("_", " "))
     if isinstance(template, Mapping):

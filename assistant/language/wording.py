@@ -1,32 +1,46 @@
-"""How slots of a line become words: lists, trees, conditions, places, episodes.
+"""How a line's template becomes words: its slots filled, its empty parts left out.
 
 A template is text with ``{slot:kind}``; a part in ``[ ]`` is left out where one of its slots is
-empty. A kind is a method of `Wording` or a number format such as ``.1f``.
+empty. A kind is one of `kinds`, a table of the book's ``words``, or a number format as ``.1f``.
 """
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 _SLOT = re.compile(r"\{(\w+)(?::([^}]*))?\}")
 _PART = re.compile(r"\[([^\[\]]*)\]")
+_BLANK = re.compile(r"\\\{(\w+)\\\}")
 
 
 @dataclass(frozen=True, slots=True)
 class Wording:
-    """A phrasebook and the slots to fill its templates with."""
+    """A phrasebook and the slots to fill its templates with.
+
+    Parameters
+    ----------
+    book : mapping
+        The plain values of ``says.yaml``.
+    slots : mapping
+    kinds : mapping of str to callable
+        How the value of a slot becomes words.
+    """
 
     book: Mapping[str, Any]
     slots: Mapping[str, Any]
+    kinds: Mapping[str, Callable[[Wording, Any], str]]
 
     def fill(self, template: str) -> str:
         """Return a template with its slots filled and empty parts left out."""
         told = _PART.sub(self._part, template)
         return _SLOT.sub(self._slot, told)
+
+    def filled(self, template: str, slots: Mapping[str, Any]) -> str:
+        """Return a template filled with other slots."""
+        return replace(self, slots=slots).fill(template)
 
     def _part(self, found: re.Match[str]) -> str:
         wanted = [name for name, _ in _SLOT.findall(found.group(1))]
@@ -40,11 +54,24 @@ class Wording:
 
     def _word(self, value: Any, kind: str) -> str:
         if not kind:
-            return "" if value is None else str(value)
-        make: Callable[[Wording, Any], str] | None = _KINDS.get(kind)
+            return "" if value is None else self.told(value)
+        make = self.kinds.get(kind)
         if make is not None:
             return make(self, value)
-        return format(value, kind) if isinstance(value, int | float) else str(value or "")
+        table = self.book["words"].get(kind)
+        if isinstance(table, Mapping):
+            return str(table.get(value, value or ""))
+        return self.number(value, kind) if isinstance(value, int | float) else self.told(value)
+
+    def number(self, value: float, kind: str = "g") -> str:
+        """Return a number with the mark for decimals that the language uses."""
+        return format(value, kind).replace(".", str(self.book["words"]["decimal"]))
+
+    def told(self, value: Any) -> str:
+        """Return a value as the language calls it: a thing's name, a direction, a place."""
+        if isinstance(value, float):
+            return str(value).replace(".", str(self.book["words"]["decimal"]))
+        return in_own_words(str(value or ""), self.book["given"]) if value != 0 else "0"
 
     def among(self, part: str, key: str) -> str:
         """Return a word of the book, or the key itself where the book has none."""
@@ -53,7 +80,7 @@ class Wording:
 
     def words(self, template: str, slots: Mapping[str, Any]) -> str:
         """Return a template of the book's ``words`` filled with other slots."""
-        return Wording(self.book, slots).fill(self.book["words"][template])
+        return self.filled(self.book["words"][template], slots)
 
     def joined(self, texts: Sequence[str]) -> str:
         """Return "a, b and c"."""
@@ -62,239 +89,26 @@ class Wording:
         return str(self.book["words"]["and"]).join((", ".join(texts[:-1]), texts[-1]))
 
 
+def in_own_words(text: str, given: Mapping[str, str]) -> str:
+    """Return a text that the program made, such as "grasp of block", as the language tells it.
+
+    Parameters
+    ----------
+    text : str
+    given : mapping
+        Templates for such texts; what stands in a ``{blank}`` is looked up in turn.
+    """
+    if text in given:
+        return given[text]
+    for template, own in given.items():
+        if "{" not in template:
+            continue
+        hit = re.fullmatch(_BLANK.sub(r"(?P<\1>.+?)", re.escape(template)), text)
+        if hit:
+            told = {name: in_own_words(part, given) for name, part in hit.groupdict().items()}
+            return own.format(**told)
+    return text
+
+
 def _empty(value: Any) -> bool:
     return value is None or value == "" or value == [] or value == () or value is False
-
-
-def _list(wording: Wording, value: Any) -> str:
-    return wording.joined([str(one) for one in value or ()])
-
-
-def _names(wording: Wording, value: Any) -> str:
-    return wording.joined([f'"{one}"' for one in value or ()])
-
-
-def _things(wording: Wording, value: Any) -> str:
-    return wording.joined([wording.words("thing", {"name": one}) for one in value or ()])
-
-
-def _answer(wording: Wording, value: Any) -> str:
-    return _list(wording, value) if isinstance(value, list | tuple) else str(value)
-
-
-def _numbers(wording: Wording, value: Any) -> str:
-    return ", ".join(f"{one:g}" for one in value)
-
-
-def _some(wording: Wording, value: Any) -> str:
-    return str(value or 0)
-
-
-def _ordinal(wording: Wording, value: Any) -> str:
-    known = wording.book["words"]["ordinals"]
-    if 1 <= value <= len(known):
-        return str(known[value - 1])
-    return wording.words("ordinal", {"number": value})
-
-
-def _percent(wording: Wording, value: Any) -> str:
-    return wording.words("percent", {"value": 100.0 * float(value or 0.0)})
-
-
-def _mm(wording: Wording, value: Any) -> str:
-    return f"{1000.0 * abs(float(value)):g} mm"
-
-
-def _deg(wording: Wording, value: Any) -> str:
-    return wording.words("degree" if value == 1 else "degrees_of", {"value": value})
-
-
-def _action(wording: Wording, value: Mapping[str, str] | None) -> str:
-    if not value:
-        return ""
-    verb, way = next(iter(value.items()))
-    ways = wording.book["actions"].get(verb, way)
-    template = ways.get(way, way) if isinstance(ways, Mapping) else ways
-    return Wording(wording.book, {"object": value.get("object"), "way": way}).fill(str(template))
-
-
-def _condition(wording: Wording, value: Mapping[str, Any]) -> str:
-    kind, told = next(iter(value.items()))
-    slots = told if isinstance(told, Mapping) else {"object": told}
-    return Wording(wording.book, slots).fill(wording.among("conditions", kind))
-
-
-def _conditions(wording: Wording, value: Any) -> str:
-    return wording.joined([_condition(wording, one) for one in value or ()])
-
-
-def _state(wording: Wording, value: Any) -> str:
-    return wording.fill(wording.among("unmet", str(value)))
-
-
-def _tree(wording: Wording, value: Mapping[str, Any]) -> str:
-    return "\n".join((f'"{value["name"]}"{_marks(wording, value)}', *_below(wording, value, "")))
-
-
-def _marks(wording: Wording, node: Mapping[str, Any]) -> str:
-    told = wording.book["words"]
-    any_order = told["any_order"] if node.get("order") == "any" else ""
-    return any_order + (told["optional"] if node.get("optional") else "")
-
-
-def _below(wording: Wording, node: Mapping[str, Any], number: str) -> list[str]:
-    lines: list[str] = []
-    for position, part in enumerate(node.get("parts", ()), start=1):
-        place = f"{number}{position}"
-        indent = "  " * (place.count(".") + 1)
-        action = f": {_action(wording, part['action'])}" if "action" in part else ""
-        lines.append(f"{indent}{place} {part['name']}{action}{_marks(wording, part)}")
-        lines.extend(_below(wording, part, f"{place}."))
-    return lines
-
-
-def _place(wording: Wording, value: Mapping[str, Any]) -> str:
-    x, y, z = value["xyz_mm"]
-    roll, pitch, yaw = value["rpy_deg"]
-    tilted = not (math.isclose(roll, 0.0, abs_tol=0.05) and math.isclose(pitch, 0.0, abs_tol=0.05))
-    slots = {
-        "x": round(x, 1),
-        "y": round(y, 1),
-        "z": round(z, 1),
-        "yaw": round(yaw, 1) or None,
-        "roll": round(roll, 1) if tilted else None,
-        "pitch": round(pitch, 1) if tilted else None,
-        "of": wording.book["words"]["of_hand"] if value["of"] == "hand" else None,
-    }
-    return wording.words("place", slots)
-
-
-def _places(wording: Wording, value: Mapping[str, Any]) -> str:
-    told = [
-        wording.words("place_of", {"name": name, "place": _place(wording, place)})
-        for name, place in (value or {}).items()
-    ]
-    if not told:
-        return str(wording.book["words"]["nothing_placed"])
-    return str(wording.book["words"]["and_then"]).join(told)
-
-
-def _episodes(wording: Wording, value: Any) -> str:
-    unassigned = wording.book["words"]["unassigned"]
-    told = [
-        wording.words("episode", {**one, "primitive": one["primitive"] or unassigned})
-        for one in value or ()
-    ]
-    return wording.joined(told)
-
-
-def _alignments(wording: Wording, value: Any) -> str:
-    return ". ".join(wording.words("alignment", one) for one in value or ())
-
-
-def _signals(wording: Wording, value: Any) -> str:
-    return wording.joined([wording.among("signals", str(one)) for one in value or ()])
-
-
-def _cuts(wording: Wording, value: Any) -> str:
-    told = [
-        wording.words(
-            "cut",
-            {
-                "at_s": one["at_s"],
-                "percent": _percent(wording, one["confidence"]),
-                "signals": _signals(wording, one["signals"]),
-            },
-        )
-        for one in value or ()
-    ]
-    return wording.joined(told)
-
-
-def _steps(wording: Wording, value: Any) -> str:
-    told = [
-        wording.words("step", {**one, "number": at, "action": _action(wording, one["action"])})
-        for at, one in enumerate(value or (), start=1)
-    ]
-    return "\n".join(told)
-
-
-def _conditions_of(wording: Wording, value: Any) -> str:
-    told = [
-        wording.words(
-            "step_conditions",
-            {
-                "number": at,
-                "name": one["name"],
-                "before": _conditions(wording, one["before"]),
-                "until": _conditions(wording, one["until"]),
-            },
-        )
-        for at, one in enumerate(value or (), start=1)
-    ]
-    return "\n".join(told)
-
-
-def _corrections(wording: Wording, value: Any) -> str:
-    told = [
-        wording.words("correction", {**one, "number": at, "amount": _amount(wording, one)})
-        for at, one in enumerate(value or (), start=1)
-    ]
-    return "; ".join(told)
-
-
-def _amount(wording: Wording, one: Mapping[str, Any]) -> str:
-    """Return how far a correction goes, in mm, degrees or percent of the speed."""
-    template = wording.book["words"]["amounts"][one["kind"]]
-    return Wording(wording.book, {**one, "percent": one.get("factor")}).fill(template)
-
-
-def _acts(wording: Wording, value: Any) -> str:
-    told = [Wording(wording.book, one).fill(wording.among("acts", one["act"])) for one in value]
-    return wording.joined([one.strip() for one in told])
-
-
-def _from(part: str, key: str | None = None) -> Callable[[Wording, Any], str]:
-    """Return a kind that looks a key up in a part of the book, or of its ``words``."""
-
-    def look(wording: Wording, value: Any) -> str:
-        found = wording.book["words"][part] if key else wording.book[part]
-        return str(found.get(value, value or ""))
-
-    return look
-
-
-_KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
-    "list": _list,
-    "names": _names,
-    "things": _things,
-    "answer": _answer,
-    "numbers": _numbers,
-    "some": _some,
-    "ordinal": _ordinal,
-    "percent": _percent,
-    "mm": _mm,
-    "deg": _deg,
-    "action": _action,
-    "conditions": _conditions,
-    "state": _state,
-    "tree": _tree,
-    "place": _place,
-    "places": _places,
-    "episodes": _episodes,
-    "alignments": _alignments,
-    "signals": _signals,
-    "cuts": _cuts,
-    "steps": _steps,
-    "conditions_of": _conditions_of,
-    "corrections": _corrections,
-    "acts": _acts,
-    "hint": _from("hints"),
-    "change": _from("changes"),
-    "reason": _from("reasons"),
-    "why": _from("whys"),
-    "degree": _from("degrees", "words"),
-    "how": _from("how", "words"),
-    "stage": _from("stages", "words"),
-    "unit": _from("units", "words"),
-}
