@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import importlib
 import os
 import sys
 import threading
@@ -70,9 +71,8 @@ def warm_up() -> None:
     """Import beside the first words what the first motion and learning need (2 s)."""
 
     def load() -> None:
-        import scipy.interpolate  # noqa: F401
-
-        import assistant.learning.lesson  # noqa: F401
+        for name in ("scipy.interpolate", "assistant.learning.lesson"):
+            importlib.import_module(name)
 
     threading.Thread(target=load, name="warm up", daemon=True).start()
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from assistant.errors import WorkFailed
-from assistant.model.lesson import Lesson, Question, Station
+from assistant.model.lesson import Episode, Lesson, Question, SegmentationPoint, Station
 from assistant.model.task import Task, walk
 
 
@@ -23,25 +23,8 @@ def learn_values(task: Task) -> dict[str, Any]:
     found = lesson.segmentation
     return {
         "segmentation_points_s": [round(at, 6) for at in found.cuts_s],
-        "episodes": [
-            {
-                "from_s": round(one.from_s, 6),
-                "to_s": round(one.to_s, 6),
-                "primitive": one.primitive,
-                "probability": round(one.probability, 6),
-            }
-            for one in found.episodes
-        ],
-        "points": [
-            {
-                "at_s": round(one.at_s, 6),
-                "confidence": round(one.confidence, 6),
-                "votes": {name: round(float(vote), 6) for name, vote in one.votes.items()},
-                "kept": one.kept,
-                "internal": one.internal,
-            }
-            for one in found.points
-        ],
+        "episodes": [_episode(one) for one in found.episodes],
+        "points": [_point(one) for one in found.points],
         "cue_lag_s": found.cue_lag_s,
         "docking": docking_values(lesson),
         "questions": [
@@ -80,6 +63,25 @@ def tell_lesson(task: Task, wall_s: float) -> None:
     for question in task.learned.segmentation.questions if task.learned else ():
         console.print(f"I would ask: {question_text(task, question)}", markup=False)
     console.print(f"learned in {wall_s:.3f} s")
+
+
+def _episode(one: Episode) -> dict[str, Any]:
+    return {
+        "from_s": round(one.from_s, 6),
+        "to_s": round(one.to_s, 6),
+        "primitive": one.primitive,
+        "probability": round(one.probability, 6),
+    }
+
+
+def _point(one: SegmentationPoint) -> dict[str, Any]:
+    return {
+        "at_s": round(one.at_s, 6),
+        "confidence": round(one.confidence, 6),
+        "votes": {name: round(float(vote), 6) for name, vote in one.votes.items()},
+        "kept": one.kept,
+        "internal": one.internal,
+    }
 
 
 def _docking(station: Station, t_s: list[float]) -> dict[str, Any]:

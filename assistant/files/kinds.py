@@ -72,16 +72,14 @@ def read_any(path: Path) -> Value:
 
 def read_known(path: Path) -> Known:
     """Return the value of any file of ours, its kind, and what looks odd about it."""
-    if path.suffix.lower() == ".csv":
-        recording = read_recording(path)
-        return Known("recording", recording, odd_recording(recording, str(path)))
-    if path.suffix.lower() == ".npz":
-        recording = read_npz(path)
-        return Known("recording", recording, odd_recording(recording, str(path)))
+    match path.suffix.lower():
+        case ".csv":
+            return _recording(read_recording(path), path)
+        case ".npz":
+            return _recording(read_npz(path), path)
     documents = _documents(path)
     if documents and _is_recording(documents[0]):
-        recording = recording_of_json(documents[0])
-        return Known("recording", recording, odd_recording(recording, str(path)))
+        return _recording(recording_of_json(documents[0]), path)
     if not documents:
         the_document(documents, str(path))  # says that the file is empty
     told = check_format(documents[0], *FORMATS)
@@ -89,7 +87,15 @@ def read_known(path: Path) -> Known:
         several = setups.setups_of(documents)
         odd = (*odd_setup(several, str(path)), *unknown_in_setups(several, path))
         return Known("setup", several, odd)
-    document = the_document(documents, str(path))
+    return _single(told, the_document(documents, str(path)), path)
+
+
+def _recording(recording: Recording, path: Path) -> Known:
+    return Known("recording", recording, odd_recording(recording, str(path)))
+
+
+def _single(told: str, document: Document, path: Path) -> Known:
+    """Return the value of a format that has one document a file."""
     match told:
         case tasks.FORMAT:
             task = tasks.task_of(document)

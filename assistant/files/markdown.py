@@ -16,7 +16,7 @@ from assistant.files.wording import (
     teacher_words,
 )
 from assistant.geometry import pose_to_mm_deg
-from assistant.model.lesson import Lesson
+from assistant.model.lesson import Episode, Lesson, Station
 from assistant.model.task import Subtask, Task
 from assistant.model.transcript import RobotLine, TeacherLine, Transcript
 
@@ -60,28 +60,24 @@ def _lesson(lesson: Lesson) -> Iterator[str]:
     sources = ", ".join(Path(source).name for source in lesson.sources)
     yield f"From {_plain(sources or 'a demonstration')}."
     if cuts.episodes:
-        rows = [
-            (
-                f"{each.from_s:.2f}",
-                f"{each.to_s:.2f}",
-                each.primitive or "(nobody introduced it)",
-                f"{each.probability:.0%}",
-                each.character,
-            )
-            for each in cuts.episodes
-        ]
-        yield from _table(("from s", "to s", "step", "sure", "motion"), rows)
+        head: tuple[str, ...] = ("from s", "to s", "step", "sure", "motion")
+        yield from _table(head, [_episode(each) for each in cuts.episodes])
     if lesson.stations:
-        poses = [(each, *pose_to_mm_deg(each.docking_in_frame)) for each in lesson.stations]
-        docked: list[tuple[str, ...]] = [
-            (each.kind, each.object, each.frame, numbers_words(mm), numbers_words(deg))
-            for each, mm, deg in poses
-        ]
         head = ("docking", "object", "seen from", "x, y, z mm", "roll, pitch, yaw deg")
-        yield from _table(head, docked)
+        yield from _table(head, [_docking(each) for each in lesson.stations])
     if lesson.feedback:
         yield "\n## Corrections\n"
         yield from (f"* {_plain(feedback_words(each))}" for each in lesson.feedback)
+
+
+def _episode(one: Episode) -> tuple[str, ...]:
+    name = one.primitive or "(nobody introduced it)"
+    return f"{one.from_s:.2f}", f"{one.to_s:.2f}", name, f"{one.probability:.0%}", one.character
+
+
+def _docking(one: Station) -> tuple[str, ...]:
+    mm, deg = pose_to_mm_deg(one.docking_in_frame)
+    return one.kind, one.object, one.frame, numbers_words(mm), numbers_words(deg)
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -9,6 +9,7 @@ from pydantic import Discriminator, Field, Tag, model_validator
 
 from assistant.files.forms import Form, Name, Text, Truth
 from assistant.model.task import (
+    CONDITIONS,
     Action,
     Condition,
     Order,
@@ -73,11 +74,11 @@ class ConditionForm(Form):
 
     def condition(self) -> Condition:
         """Return the condition told."""
-        (kind,) = self.model_fields_set
+        kind = next(each for each in CONDITIONS if each in self.model_fields_set)
         value = getattr(self, kind)
         if isinstance(value, PairForm):
-            return Condition(kind, value.object, value.target)  # type: ignore[arg-type]
-        return Condition(kind, value)  # type: ignore[arg-type]
+            return Condition(kind, value.object, value.target)
+        return Condition(kind, value)
 
 
 class PrimitiveForm(Form):

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Literal, get_args
 
 if TYPE_CHECKING:
     from assistant.model.lesson import Lesson
@@ -30,7 +30,8 @@ TURNS = (
     "counterclockwise",
 )
 HAND = ("open", "close")
-CONDITIONS = ("hand", "docked", "held", "on", "aligned", "above", "clear")
+ConditionKind = Literal["hand", "docked", "held", "on", "aligned", "above", "clear"]
+CONDITIONS: tuple[ConditionKind, ...] = get_args(ConditionKind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +74,7 @@ class Condition:
         For ``on``, ``aligned`` and ``above``.
     """
 
-    kind: Literal["hand", "docked", "held", "on", "aligned", "above", "clear"]
+    kind: ConditionKind
     object: str | None = None
     target: str | None = None
 

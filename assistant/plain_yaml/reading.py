@@ -174,15 +174,17 @@ class _Builder:
             self._key(event.value, line)
             return
         value = event.value if event.style else meaning(event.value)
-        if top is None or event.anchor or isinstance(top.value, dict):
+        if top is None or event.anchor:
             self._put(value, line, 1, event.anchor)
-        else:
+        elif isinstance(top.value, list) and isinstance(top.lines, list):
             # Nearly all of a long file are numbers in rows: the shortest way for them.
             top.value.append(value)
-            top.lines.append(line)  # type: ignore[union-attr]
+            top.lines.append(line)
             top.size += 1
             if top.size > MOST_NODES:
                 self._fail(line, f"more than {MOST_NODES:,} values", "a smaller file")
+        else:
+            self._put(value, line, 1, None)
 
     def _wants_key(self) -> bool:
         return (

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from assistant.errors import BadInput, WorkFailed
 from assistant.geometry import Array
 from assistant.learning.weights import frame_weights
 from assistant.model.demonstration import Demonstration
-from assistant.model.lesson import LearnedPath, Lesson
+from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
 from assistant.model.task import Task, primitives
 
 if TYPE_CHECKING:
@@ -76,25 +77,7 @@ def votes_figure(lesson: Lesson) -> Figure:
         mean = float(np.mean(found.vote))
         axes.axhline(mean, color=PALE, linestyle="--", linewidth=1.0)
         axes.annotate("mean", (found.vote_t_s[0], mean), (2, 3), textcoords="offset points")
-    kinds = (
-        ("cut between steps", "*", 13, INK, [p for p in found.points if p.kept and not p.internal]),
-        ("cut inside a step", "D", 7, INK, [p for p in found.points if p.kept and p.internal]),
-        ("eliminated", "o", 7, "none", [p for p in found.points if not p.kept]),
-    )
-    for label, marker, size, face, points in kinds:
-        at_s = [point.at_s for point in points]
-        heights = np.interp(at_s, found.vote_t_s, found.vote) if len(found.vote) else np.ones(0)
-        if at_s and len(heights):
-            axes.plot(
-                at_s,
-                heights,
-                marker,
-                markersize=size,
-                color=INK,
-                markerfacecolor=face,
-                label=label,
-                zorder=5,
-            )
+        _mark_points(axes, found)
     _mark_hand(axes, lesson)
     axes.set(xlabel="time (s)", ylabel="vote", ylim=(0.0, 1.39), title="Votes for cutting")
     _mark_episodes(axes, lesson)
@@ -138,33 +121,15 @@ def weights_figure(lesson: Lesson, learned: LearnedPath) -> Figure:
     stretches = tuple((one.docking_at, one.at) for one in lesson.stations)
     weights = frame_weights(learned.path[:, :3], stretches)
     figure, axes = _page(10.0, 4.2)
-    axes.plot(
-        learned.t_s,
-        weights.lambda1,
-        color=COLORS[0],
-        linewidth=2.4,
-        label="$\\lambda_1$: object or target the hand is at",
+    curves = (
+        ("$\\lambda_1$: object or target the hand is at", weights.lambda1, "-"),
+        ("$\\lambda_2$: where the hand comes from", weights.lambda2, "--"),
     )
-    axes.plot(
-        learned.t_s,
-        weights.lambda2,
-        color=COLORS[1],
-        linewidth=2.0,
-        linestyle="--",
-        label="$\\lambda_2$: where the hand comes from",
-    )
+    for color, (label, weight, style) in zip(COLORS, curves, strict=False):
+        axes.plot(learned.t_s, weight, style, color=color, linewidth=2.2, label=label)
     axes.axhline(0.5, color=PALE, linewidth=0.8, linestyle=":")
     for one in lesson.stations:
-        axes.axvspan(
-            learned.t_s[one.docking_at], learned.t_s[one.at], color=PALE, alpha=0.25, linewidth=0
-        )
-        axes.axvline(learned.t_s[one.at], ymax=0.87, color=INK, linewidth=0.9)
-        axes.annotate(
-            f"{one.kind} {one.object}" if one.kind == "grasp" else f"{one.kind} at {one.frame}",
-            (learned.t_s[one.at], 1.04),
-            ha="center",
-            color=INK,
-        )
+        _mark_station(axes, one, learned)
     axes.set(xlabel="time (s)", ylabel="weight", ylim=(-0.04, 1.16), title="Blending weights")
     axes.set_xlim(learned.t_s[0], learned.t_s[-1])
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=2, frameon=False)
@@ -178,6 +143,25 @@ def _page(width: float, height: float) -> tuple[Figure, Axes]:
     axes = figure.add_subplot()
     axes.spines[["top", "right"]].set_visible(False)
     return figure, axes
+
+
+def _mark_points(axes: Axes, found: Segmentation) -> None:
+    """Mark on the overall vote which points were kept, and which eliminated."""
+    kinds = (
+        ("cut between steps", "*", 13, INK, [p for p in found.points if p.kept and not p.internal]),
+        ("cut inside a step", "D", 7, INK, [p for p in found.points if p.kept and p.internal]),
+        ("eliminated", "o", 7, "none", [p for p in found.points if not p.kept]),
+    )
+    for label, marker, size, face, points in kinds:
+        if points:
+            at_s = [point.at_s for point in points]
+            heights = np.interp(at_s, found.vote_t_s, found.vote)
+            _mark(axes, (at_s, heights), marker, size, face, label)
+
+
+def _mark(axes: Any, at: Iterable[Any], marker: str, size: int, face: str, label: str) -> None:
+    """Put one kind of mark on the points told, a sequence for each axis."""
+    axes.plot(*at, marker, markersize=size, color=INK, markerfacecolor=face, label=label, zorder=6)
 
 
 def _mark_hand(axes: Axes, lesson: Lesson) -> None:
@@ -201,6 +185,15 @@ def _mark_hand(axes: Axes, lesson: Lesson) -> None:
         label="hand closes or opens",
         clip_on=False,
     )
+
+
+def _mark_station(axes: Axes, one: Station, learned: LearnedPath) -> None:
+    """Shade the stretch from docking to grasp or release, and name its end."""
+    from_s, to_s = learned.t_s[one.docking_at], learned.t_s[one.at]
+    axes.axvspan(from_s, to_s, color=PALE, alpha=0.25, linewidth=0)
+    axes.axvline(to_s, ymax=0.87, color=INK, linewidth=0.9)
+    name = f"{one.kind} {one.object}" if one.kind == "grasp" else f"{one.kind} at {one.frame}"
+    axes.annotate(name, (to_s, 1.04), ha="center", color=INK)
 
 
 def _shown_s(learned: LearnedPath, at: int, primitive: str, episodes: dict[Any, Any]) -> float:
@@ -237,15 +230,7 @@ def _mark_places(axes: Any, lesson: Lesson, learned: LearnedPath, xyz: Array) ->
     )
     for marker, size, face, samples, label in marks:
         if len(samples):
-            axes.plot(
-                *xyz[samples].T,
-                marker,
-                markersize=size,
-                color=INK,
-                markerfacecolor=face,
-                label=label,
-                zorder=6,
-            )
+            _mark(axes, xyz[samples].T, marker, size, face, label)
     axes.text(*xyz[0], "  start", color=INK)
 
 
