@@ -6,7 +6,7 @@ from typing import Any
 
 from assistant.dialogue.state import Knowledge, Run
 from assistant.dialogue.turn import plain_condition
-from assistant.model.task import Condition, Primitive, primitives
+from assistant.model.task import Condition, Primitive, Task, primitives
 
 SEEN = ("hand", "docked", "held", "on", "aligned", "clear")
 """Kinds of condition whose coming true the arm reports."""
@@ -15,15 +15,20 @@ Conditions = tuple[Condition, ...]
 
 
 def expected(known: Knowledge, leaf: Primitive) -> tuple[Conditions, Conditions]:
-    """Return the before- and until-conditions of a primitive.
+    """Return the before- and until-conditions of a primitive as known now."""
+    return conditions_of(known.task, leaf)
+
+
+def conditions_of(task: Task, leaf: Primitive) -> tuple[Conditions, Conditions]:
+    """Return the before- and until-conditions of a primitive of a task.
 
     What the teacher told comes first, then what was learned, then what the action implies.
     """
-    lesson = known.lesson
+    lesson = task.learned
     learned_before = lesson.before.get(leaf.name, ()) if lesson else ()
     learned_until = lesson.until.get(leaf.name, ()) if lesson else ()
     before = leaf.before or learned_before or _implied_before(leaf)
-    return before, leaf.until or learned_until or _implied_until(known, leaf)
+    return before, leaf.until or learned_until or _implied_until(task, leaf)
 
 
 def _implied_before(leaf: Primitive) -> Conditions:
@@ -32,7 +37,7 @@ def _implied_before(leaf: Primitive) -> Conditions:
     return ()
 
 
-def _implied_until(known: Knowledge, leaf: Primitive) -> Conditions:
+def _implied_until(task: Task, leaf: Primitive) -> Conditions:
     thing = leaf.action.object
     match (leaf.action.verb, leaf.action.way):
         case ("move", "approach") if thing:
@@ -40,7 +45,7 @@ def _implied_until(known: Knowledge, leaf: Primitive) -> Conditions:
         case ("hand", "close"):
             return (Condition("held", thing),) if thing else (Condition("hand", "closed"),)
         case ("hand", "open"):
-            carried = _carried_into(known, leaf)
+            carried = _carried_into(task, leaf)
             if thing and carried and thing != carried:
                 return (Condition("on", carried, thing),)
             return (Condition("hand", "open"),)
@@ -48,10 +53,10 @@ def _implied_until(known: Knowledge, leaf: Primitive) -> Conditions:
             return ()
 
 
-def _carried_into(known: Knowledge, leaf: Primitive) -> str | None:
+def _carried_into(task: Task, leaf: Primitive) -> str | None:
     """Return what was grasped last before a primitive."""
     carried: str | None = None
-    for other in primitives(known.task.tree):
+    for other in primitives(task.tree):
         if other.name == leaf.name:
             return carried
         if (other.action.verb, other.action.way) == ("hand", "close"):

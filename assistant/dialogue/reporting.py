@@ -29,7 +29,7 @@ from assistant.dialogue.turn import (
 )
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.robot_acts import About, RobotAct
-from assistant.model.task import Primitive, primitives
+from assistant.model.task import Condition, Index, Primitive, primitives
 
 NAMED = ("no_setup",)
 """Refusals that have a sentence of their own."""
@@ -196,16 +196,38 @@ def _unmet(dialogue: Dialogue, report: ArmReport) -> Turn:
         return dialogue, ()
     leaf = leaf_at(dialogue, report.primitive_at)
     name = leaf.name if leaf else dialogue.known.name
-    told = line(
+    told = unmet_line(report, name, index_of(dialogue.known, name))
+    return say(replace(dialogue, arm="stopped", clean=()), told)
+
+
+def unmet_line(report: ArmReport, name: str, index: Index = ()) -> RobotAct:
+    """Return what is told of a condition that is not met.
+
+    Parameters
+    ----------
+    report : ArmReport
+        Of kind ``unmet``.
+    name : str
+        Of the primitive.
+    index : Index
+        Where that stands in the tree.
+    """
+    wanted: list[dict[str, Any]] = []
+    if report.when:
+        kind: Any = report.text
+        condition = Condition(kind, report.object or None, report.target or None)
+        wanted = plain_conditions((condition,))
+    return line(
         "stopped",
-        f"unmet.{report.text}",
-        about=About(name, index_of(dialogue.known, name)),
+        f"unmet_{report.when}.{report.text}" if report.when else f"unmet.{report.text}",
+        about=About(name, index),
         name=name,
         condition=report.text,
+        wanted=wanted,
+        found=report.found,
         object=report.object,
         target=report.target,
     )
-    return say(replace(dialogue, arm="stopped", clean=()), told)
 
 
 def _halted(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:

@@ -197,6 +197,11 @@ class ArmReport:
         For ``finished``: what tells success where alignment does not, or not alone.
     height_mm : float or None
         For ``halted``, where `object` is held: how far its base is above what is below it.
+    when : str
+        For ``unmet`` conditions of a primitive: ``before`` or ``until``; empty for what the arm
+        itself noticed on its way.
+    found : str
+        For ``unmet``: how the hand is, or what it holds, instead.
     """
 
     kind: Literal["primitive", "perceived", "unmet", "halted", "finished"]
@@ -208,3 +213,5 @@ class ArmReport:
     alignments: tuple[Alignment, ...] = ()
     height_mm: float | None = None
     measures: tuple[Measure, ...] = ()
+    when: Literal["", "before", "until"] = ""
+    found: str = ""

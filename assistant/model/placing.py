@@ -100,6 +100,12 @@ def alignment(body: Body, pose: Array, place: Array, target: str) -> Alignment:
     return Alignment(body.name, target, worst * 1000.0, float(np.rad2deg(angle)))
 
 
+def in_line(body: Body, pose: Array, place: Array, target: str) -> bool:
+    """Return whether corners and edges are as close to their places as the paper's worst."""
+    found = alignment(body, pose, place, target)
+    return found.distance_mm <= ALIGNED_MM and found.angle_deg <= ALIGNED_DEG
+
+
 def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) -> bool:
     """Return whether an object lies on a target: at its surface, upright, its middle above it."""
     gap = rotate_vector(quat_inverse(place[3:]), pose[:3] - place[:3])
@@ -119,8 +125,7 @@ def states(
     place, pose = place_of(scene, setup, stop, bodies), bodies[stop.object]
     if not rests_on(scene, stop.object, stop.frame, pose, place):
         return ()
-    found = alignment(scene.bodies[stop.object], pose, place, stop.frame)
-    fine = found.distance_mm <= ALIGNED_MM and found.angle_deg <= ALIGNED_DEG
+    fine = in_line(scene.bodies[stop.object], pose, place, stop.frame)
     return ("on", "aligned") if fine else ("on",)
 
 

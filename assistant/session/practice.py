@@ -7,14 +7,19 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal
 
+from assistant.dialogue.reporting import unmet_line
 from assistant.errors import BadInput
 from assistant.geometry import Array
+from assistant.language.speech import phrase
 from assistant.learning.adaptation import AdaptationPlan, adapt, plan_adaptation
-from assistant.model.motion import ArmReport, JointPath, Refusal
+from assistant.model.motion import Alignment, ArmReport, JointPath, Refusal
+from assistant.model.placing import alignments
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
-from assistant.model.task import Task
+from assistant.model.task import Task, primitives
 from assistant.ports import Arm, Clock, Planner
+from assistant.session.conditions import Surroundings, expectations
+from assistant.session.heeding import Heeding
 
 Status = Literal["done", "missed", "refused"]
 
@@ -119,7 +124,8 @@ def practice_setup(
         result = _planned(setup.name, motion)
     else:
         arm.arrange(scene, setup)
-        result = _run(arm, motion, _planned(setup.name, motion))
+        around = Surroundings(scene, setup, path, arm.look().gripper_m)
+        result = _run(arm, motion, task, around)
     return replace(result, wall_s=clock.now_s() - begun_s) if clock else result
 
 
@@ -149,67 +155,75 @@ def _planned(name: str, motion: JointPath) -> SetupResult:
     )
 
 
-def _run(arm: Arm, motion: JointPath, planned: SetupResult) -> SetupResult:
+def _run(arm: Arm, motion: JointPath, task: Task, around: Surroundings) -> SetupResult:
     begun_s = arm.look().now_s
     arm.start(motion)
+    heeding = Heeding(arm, expectations(task), around)
     reports: list[ArmReport] = []
     period_s = _period(motion.t_s)
     # Resting while the gripper acts is not part of the motion's own time.
     patience = math.ceil((PATIENCE * float(motion.t_s[-1]) + 10.0) / period_s)
     for _ in range(patience):
-        reports.extend(arm.tick())
+        reports.extend(heeding.tick())
         if reports and reports[-1].kind in ("finished", "unmet", "halted"):
             break
-    sim_s = arm.look().now_s - begun_s
-    return _judged(replace(planned, sim_s=sim_s, reports=tuple(reports)))
+    run = replace(
+        _planned(around.setup.name, motion),
+        sim_s=arm.look().now_s - begun_s,
+        reports=tuple(reports),
+    )
+    last = reports[-1] if reports else None
+    if last is not None and last.kind == "finished":
+        return _judged(run, last)
+    so_far = _measured(run, _let_go(arm, around, reports))
+    return replace(so_far, status="missed", reason=_halted(last, task))
+
+
+def _let_go(arm: Arm, around: Surroundings, reports: Sequence[ArmReport]) -> tuple[Alignment, ...]:
+    """Return how well what was let go lies, in a run that did not come to its end."""
+    opened = sum((told.text, told.object) == ("hand", "open") for told in reports)
+    released = [stop for stop in around.path.stops if stop.kind == "release"][:opened]
+    return alignments(around.scene, around.setup, released, arm.look().bodies)
 
 
 def _period(t_s: Array) -> float:
     return float(t_s[1] - t_s[0]) if len(t_s) > 1 else 0.02
 
 
-def _judged(run: SetupResult) -> SetupResult:
-    last = run.reports[-1] if run.reports else None
-    if last is None or last.kind != "finished":
-        return replace(run, status="missed", reason=_halted(last))
+def _judged(run: SetupResult, last: ArmReport) -> SetupResult:
     measures = tuple(asdict(measure) for measure in last.measures)
-    judged = _aligned(replace(run, measures=measures), last)
+    judged = _aligned(_measured(replace(run, measures=measures), last.alignments), last.alignments)
     bad = [measure for measure in last.measures if not measure.good]
     return replace(judged, status="missed", reason=str(bad[0])) if bad else judged
 
 
-def _aligned(run: SetupResult, last: ArmReport) -> SetupResult:
-    if not last.alignments:
+def _measured(run: SetupResult, found: Sequence[Alignment]) -> SetupResult:
+    """Return a result with the worst distance and angle of what was let go."""
+    if not found:
         return run
-    distance = max(found.distance_mm for found in last.alignments)
-    angle = max(found.angle_deg for found in last.alignments)
-    measured = replace(run, distance_mm=distance, angle_deg=angle)
-    if distance <= CLOSE_MM and angle <= CLOSE_DEG:
-        return measured
-    worst = max(last.alignments, key=lambda found: (found.distance_mm, found.angle_deg))
-    reason = f"{worst.object} lies {distance:.2f} mm and {angle:.2f} deg off on {worst.target}"
-    return replace(measured, status="missed", reason=reason)
+    distance, angle = max(one.distance_mm for one in found), max(one.angle_deg for one in found)
+    return replace(run, distance_mm=distance, angle_deg=angle)
 
 
-def _halted(last: ArmReport | None) -> str:
+def _aligned(run: SetupResult, found: Sequence[Alignment]) -> SetupResult:
+    bad = [one for one in found if one.distance_mm > CLOSE_MM or one.angle_deg > CLOSE_DEG]
+    if not bad:
+        return run
+    worst = max(bad, key=lambda one: (one.distance_mm, one.angle_deg))
+    off = f"{run.distance_mm:.2f} mm and {run.angle_deg:.2f} deg off on {worst.target}"
+    return replace(run, status="missed", reason=f"{worst.object} lies {off}")
+
+
+def _halted(last: ArmReport | None, task: Task) -> str:
     if last is None or last.kind not in ("unmet", "halted"):
         return "the run did not end in time"
-    about = f" {last.object}" if last.object else ""
-    onto = f" on {last.target}" if last.target else ""
+    at = f"halted at {last.at_s:.1f} s"
     if last.kind == "halted":
-        return f"halted at {last.at_s:.1f} s: {last.text}"
-    return f"halted at {last.at_s:.1f} s: {UNMET.get(last.text, last.text)}{about}{onto}"
+        return f"{at}: {last.text}"
+    leaves = primitives(task.tree)
+    name = leaves[last.primitive_at].name if 0 <= last.primitive_at < len(leaves) else task.name
+    return f"{at}. {phrase(unmet_line(last, name), brief=True)}"
 
-
-UNMET: Mapping[str, str] = {
-    "held": "not in the hand:",
-    "hand": "the hand should be",
-    "clear": "still in the hand:",
-    "on": "not where it belongs:",
-    "contact": "unexpected contact with",
-    "tracking": "the arm left its path",
-}
-"""What an unmet condition is called, followed by the body it is about."""
 
 HINTS: Mapping[str, str] = {
     "closer": "put it closer",
