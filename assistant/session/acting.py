@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from assistant.errors import WorkFailed
 from assistant.files.demonstrations import read_demonstration
 from assistant.files.transcripts import transcript_of
+from assistant.language.hints import page
 from assistant.model.transcript import Demonstrate, Step, Wait
 from assistant.plain_yaml import read_text
+from assistant.ports import Hand, HandSample
 from assistant.session import halting
 from assistant.session.loop import Session
-
-BEGIN = "go"
-"""Said for the teacher who shows the task while the robot still asks whether to begin."""
-QUIT = "quit"
 
 
 def one_step(told: Mapping[str, Any]) -> Step:
@@ -58,7 +56,8 @@ def demonstrate(session: Session, step: Demonstrate, base: Path) -> None:
         If the robot is not at the point of watching.
     """
     if session.watching is None and session.listening.stage == "demonstration":
-        session.hear(BEGIN)
+        # The robot still asks whether to begin.
+        session.hear(_for_teacher(session, "begin"))
     if session.watching is None:
         raise WorkFailed(
             f"the robot is not watching (stage {session.listening.stage}, "
@@ -67,11 +66,28 @@ def demonstrate(session: Session, step: Demonstrate, base: Path) -> None:
     step = _found(step, base)
     mover = session.mover
     hand = session.equipment.hand(step, session.dialogue.known.task, mover.scene, mover.setup)
-    session.watch(hand)
+    session.watch(_InOwnWords(hand, page("terminal", session.language)["scripted"]))
     if session.watching is not None:
         if step.cues or step.key_states:
             session.watching.declare(step.cues or (), step.key_states)
         session.end_recording(keep=True)
+
+
+@dataclass(frozen=True, slots=True)
+class _InOwnWords:
+    """A hand whose ready-made cues are said in the session's language."""
+
+    hand: Hand
+    words: Mapping[str, str]
+
+    def samples(self) -> Iterator[HandSample]:
+        """Yield the hand's samples."""
+        for sample in self.hand.samples():
+            if not sample.said:
+                yield sample
+                continue
+            told = (self.words.get(one, one) for one in sample.said.split(", "))
+            yield replace(sample, said=", ".join(told))
 
 
 def _found(step: Demonstrate, base: Path) -> Demonstrate:
@@ -94,4 +110,9 @@ def leave(session: Session, why: str = halting.NOBODY) -> None:
         session.halt(why)
         session.rest()
     if not session.left:
-        session.hear(QUIT)
+        session.hear(_for_teacher(session, "quit"))
+
+
+def _for_teacher(session: Session, what: str) -> str:
+    """Return what is said for the teacher, in the session's language."""
+    return str(page("terminal", session.language)["for_teacher"][what])

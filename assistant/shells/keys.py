@@ -31,8 +31,6 @@ from assistant.session.loop import Session
 from assistant.shells.driving_view import Overhead, gap_line, gaps, key_for, marks
 from assistant.shells.wrapping import columns
 
-CUES = {"n": "next step", "1": "first step"}
-FINISHED = "finished"
 ARROWS = {
     Keys.Up: "w",
     Keys.Down: "s",
@@ -84,6 +82,7 @@ class Driving:
         self._session, self._hand, self._lock = session, hand, lock
         self._due = Due(every_s)
         self._words: dict[str, Any] = page("terminal", session.language)["driving"]
+        self._cues: dict[str, str] = self._words["cues"]
         self._facing = session.dialogue_view.get("facing") == "facing"
         look = session.mover.look
         near = gaps(look, session.mover.scene)
@@ -197,10 +196,10 @@ class Driving:
         if key == "Enter":
             self._speak()
         elif key == "Esc":
-            self._hand.say(FINISHED)
-        elif key in CUES:
-            self._told = str(self._words["said"]).format(words=f'"{CUES[key]}"')
-            self._hand.say(CUES[key])
+            self._hand.say(self._cues["Esc"])
+        elif key in self._cues:
+            self._told = str(self._words["said"]).format(words=f'"{self._cues[key]}"')
+            self._hand.say(self._cues[key])
         else:
             self._move(key)
 
@@ -247,7 +246,7 @@ class Driving:
             self._line.reset()
             self._typing = False
         else:
-            self._hand.say(FINISHED)
+            self._hand.say(self._cues["Esc"])
 
     def _said(self, line: Buffer) -> bool:
         self._typing = False
