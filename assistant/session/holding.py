@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from assistant.geometry import Array
@@ -10,14 +11,19 @@ from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 
 
-def with_held(report: ArmReport, look: ArmLook, scene: Scene) -> ArmReport:
-    """Return a report of a halt that tells what is held; other reports as they are.
+def with_held(reports: Sequence[ArmReport], look: ArmLook, scene: Scene) -> tuple[ArmReport, ...]:
+    """Return the reports of a tick that ended a run early, with what is held told at the end.
 
-    The dialogue needs it to ask before it opens the hand (design, safety).
+    The dialogue needs it to ask before it opens the hand (design, safety). An unmet condition
+    tells of its own body; what the hand holds then follows as a report of the halt.
     """
-    if report.kind != "halted" or not look.held:
-        return report
-    return replace(report, object=look.held, height_mm=height_mm(look, scene))
+    *before, last = reports
+    if last.kind == "unmet":
+        before.append(last)
+        last = ArmReport("halted", last.at_s, last.primitive_at, last.kind)
+    if look.held:
+        last = replace(last, object=look.held, height_mm=height_mm(look, scene))
+    return (*before, last)
 
 
 def height_mm(look: ArmLook, scene: Scene) -> float | None:

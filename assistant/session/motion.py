@@ -6,7 +6,7 @@ arrives meanwhile wins. After a halt a run goes on from the measured pose, check
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from assistant.dialogue import effects as wanted
@@ -17,7 +17,9 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from assistant.session import paths
+from assistant.session.conditions import Expected, Surroundings, expectations
 from assistant.session.equipment import Equipment
+from assistant.session.heeding import Heeding
 from assistant.session.holding import with_held
 
 ENDS = ("finished", "halted", "unmet")
@@ -26,12 +28,23 @@ ENDS = ("finished", "halted", "unmet")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Run:
-    """A run that was checked: what the hand is to follow, and the joints for it."""
+    """A run that was checked: what the hand is to follow, and the joints for it.
+
+    Parameters
+    ----------
+    scene, setup
+    path : HandPath
+        The whole of it, also where only a rest is left to do.
+    motion : JointPath
+    conditions : Expected
+        Of its primitives; none where a demonstration is replayed as it was.
+    """
 
     scene: Scene
     setup: Setup
     path: HandPath
     motion: JointPath
+    conditions: Expected = ()
 
 
 class Mover:
@@ -51,6 +64,7 @@ class Mover:
         self._is_aside = False
         self._started_s = self._lasts_s = 0.0
         self._primitive_at = -1
+        self._heeding: Heeding | None = None
         self._open_m = 0.0
         self.scene = Scene()
         self.setup = Setup()
@@ -117,7 +131,8 @@ class Mover:
         found = self._equipment.planner.plan(path, effect.scene, effect.setup, look)
         if isinstance(found, Refusal):
             return Checked(effect.setup, found)
-        self._checked = Run(effect.scene, effect.setup, whole, found)
+        conditions = expectations(effect.task)
+        self._checked = Run(effect.scene, effect.setup, whole, found, conditions)
         return Checked(effect.setup, None, float(found.t_s[-1]), found.note)
 
     def move(self, effect: wanted.Move) -> None:
@@ -125,11 +140,10 @@ class Mover:
         run, self._checked = self._checked, None
         if run is None:
             return
-        primitive_at = self._primitive_at if effect.anew else -1
         if not effect.anew:
             self.arrange(run.scene, run.setup)
         self._pauses = effect.pause_before_primitives
-        self._begin(run, primitive_at)
+        self._begin(run, anew=effect.anew)
 
     def replay(self, effect: wanted.Replay) -> Refusal | None:
         """Carry out a demonstration as it was shown, checked like any motion."""
@@ -137,19 +151,26 @@ class Mover:
         self.arrange(self.scene, effect.setup)
         self._pauses = False
         found = self._equipment.planner.plan(path, self.scene, self.setup)
-        return self._begin_if_planned(path, found)
+        if isinstance(found, Refusal):
+            return found
+        self._begin(Run(self.scene, self.setup, path, found), anew=False)
+        return None
 
     def go_on(self, *, anew: bool) -> Refusal | None:
-        """Continue after an announcement, or after a halt from where the arm is."""
-        if self._waiting and not anew:
-            self._waiting = False
+        """Continue after an announcement, or (`anew`) after a halt from where the arm is.
+
+        What was halted while it was being announced is not moved by the end of the announcement.
+        """
+        self._waiting = False
+        if not anew or self._run is None:
             return None
-        if self._run is None:
-            return None
-        whole, look, primitive_at = self._run.path, self.look, self._primitive_at
-        rest = paths.rest_of(whole, look, primitive_at)
+        look = self.look
+        rest = paths.rest_of(self._run.path, look, self._primitive_at)
         found = self._equipment.planner.plan(rest, self.scene, self.setup, look)
-        return self._begin_if_planned(whole, found, primitive_at)
+        if isinstance(found, Refusal):
+            return found
+        self._begin(replace(self._run, motion=found), anew=True)
+        return None
 
     def halt(self, why: str) -> None:
         """Brake now; what was started is discarded."""
@@ -172,12 +193,13 @@ class Mover:
         """Advance by one control period; nothing passes while an announcement is made."""
         if not self.moving or self._waiting:
             return ()
-        reports = self._equipment.arm.tick()
+        heeding = None if self._is_aside else self._heeding
+        reports = self._equipment.arm.tick() if heeding is None else heeding.tick()
         for report in reports:
             self._take(report)
-        if not any(report.kind == "halted" for report in reports):
+        if self.moving or reports[-1].kind == "finished":
             return reports
-        return tuple(with_held(report, self.look, self.scene) for report in reports)
+        return with_held(reports, self.look, self.scene)
 
     def _take(self, report: ArmReport) -> None:
         if report.kind in ENDS:
@@ -200,17 +222,12 @@ class Mover:
         self._is_aside = True
         return None
 
-    def _begin_if_planned(
-        self, path: HandPath, found: JointPath | Refusal, primitive_at: int = -1
-    ) -> Refusal | None:
-        if isinstance(found, Refusal):
-            return found
-        self._begin(Run(self.scene, self.setup, path, found), primitive_at)
-        return None
-
-    def _begin(self, run: Run, primitive_at: int) -> None:
+    def _begin(self, run: Run, *, anew: bool) -> None:
+        done = self._heeding.done if anew and self._heeding is not None else -1
+        self._primitive_at = self._primitive_at if anew else -1
+        around = Surroundings(run.scene, run.setup, run.path, self._open_m)
+        self._heeding = Heeding(self._equipment.arm, run.conditions, around, done)
         self._run = run
-        self._primitive_at = primitive_at
         self._start(run.motion)
 
     def _start(self, motion: JointPath) -> None:

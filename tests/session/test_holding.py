@@ -28,19 +28,32 @@ def look(held: str, x_m: float = 0.5, stand_m: float = 0.9) -> ArmLook:
 HALTED = ArmReport("halted", 1.0, 2, "stop")
 
 
+UNMET = ArmReport("unmet", 1.0, 2, "docked", "target", when="until")
+
+
+def told(report: ArmReport, look: ArmLook, scene: Scene = SCENE) -> ArmReport:
+    return with_held((report,), look, scene)[-1]
+
+
 def test_the_height_is_above_the_table_or_the_body_below() -> None:
-    assert with_held(HALTED, look("block"), SCENE).height_mm == pytest.approx(100.0)
-    above = with_held(HALTED, look("block", stand_m=0.52), SCENE)
+    assert told(HALTED, look("block")).height_mm == pytest.approx(100.0)
+    above = told(HALTED, look("block", stand_m=0.52))
     assert above.object == "block"
     assert above.height_mm == pytest.approx(50.0)
 
 
-def test_an_empty_hand_and_other_reports_stay_as_they_are() -> None:
-    assert with_held(HALTED, look(""), SCENE) is HALTED
-    finished = ArmReport("finished", 1.0)
-    assert with_held(finished, look("block"), SCENE) is finished
+def test_after_an_unmet_condition_what_is_held_follows() -> None:
+    first, second = with_held((UNMET,), look("block"), SCENE)
+    assert first is UNMET
+    assert (second.kind, second.object) == ("halted", "block")
+    assert second.height_mm == pytest.approx(100.0)
+
+
+def test_an_empty_hand_is_no_height() -> None:
+    assert told(HALTED, look("")) is HALTED
+    assert told(UNMET, look("")).object == ""
 
 
 def test_nothing_known_below_is_no_height() -> None:
     bare = Scene(bodies=SCENE.bodies)
-    assert with_held(HALTED, look("block"), bare).height_mm is None
+    assert told(HALTED, look("block"), bare).height_mm is None
