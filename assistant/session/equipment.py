@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
@@ -37,8 +38,8 @@ class DrivenState(Protocol):
         ...
 
     @property
-    def blocked(self) -> str:
-        """What is in the way."""
+    def blocked(self) -> Refusal | ArmReport | None:
+        """Why the last motion was not begun, or what ended it."""
         ...
 
 
@@ -52,6 +53,10 @@ class DrivenHand(Protocol):
 
     def press(self, key: str) -> bool:
         """Take a key; return whether it means anything."""
+        ...
+
+    def lead(self, move_m: tuple[float, float, float]) -> None:
+        """Move on by so much along the base's axes, as a mouse does that drags the hand."""
         ...
 
     def release(self) -> None:

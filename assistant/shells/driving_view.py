@@ -8,7 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from assistant.dialogue.reporting import refusal_line
 from assistant.geometry import Array, compose, quat_to_rpy, relative
+from assistant.language.speech import phrase
+from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 
@@ -88,6 +91,13 @@ def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]
     if round(abs(gap.yaw_deg)):
         key = TURNS[0 if gap.yaw_deg > 0 else 1]
         yield str(words["turn"]).format(deg=round(abs(gap.yaw_deg)), way=ways[key], key=key)
+
+
+def in_the_way(trouble: Refusal | ArmReport, words: Mapping[str, Any], language: str) -> str:
+    """Return in words why the hand does not go on."""
+    if isinstance(trouble, Refusal):
+        return phrase(refusal_line("refuse", trouble), language)
+    return str(words["faults"][trouble.text]).format(name=trouble.object)
 
 
 def marks(names: Iterable[str]) -> dict[str, str]:

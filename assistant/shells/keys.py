@@ -28,7 +28,7 @@ from assistant.language.hints import page
 from assistant.ports import HandSample
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
-from assistant.shells.driving_view import Overhead, gap_line, gaps, key_for, marks
+from assistant.shells.driving_view import Overhead, gap_line, gaps, in_the_way, key_for, marks
 from assistant.shells.wrapping import columns
 
 ARROWS = {
@@ -188,7 +188,7 @@ class Driving:
         state, words = self._hand.state, self._words
         warning = str(words["clutched"]) if state.clutched else ""
         if state.blocked:
-            warning = str(words["blocked"]).format(what=state.blocked)
+            warning = in_the_way(state.blocked, words, self._session.language)
         return [("ansiyellow", f"\n   {warning}")] if warning else []
 
     def press(self, key: str) -> None:

@@ -1,14 +1,15 @@
-"""Keys as the teacher's hand: every press jogs the arm live, checked, while it is recorded.
+"""Keys, or a mouse, as the teacher's hand: the arm is jogged live, checked, while it is recorded.
 
-A terminal or a window hands key names to `KeyedHand.press` and calls `tick` once a period;
-each tick moves the hand on and returns the sample to record. A tap is one
+A terminal or a window hands key names to `KeyedHand.press`, drags to `KeyedHand.lead`, and calls
+`tick` once a period; each tick moves the hand on and returns the sample to record. A tap is one
 step of `STEP_M` or `STEP_RAD`, carried out to its end; a key that is seen again by then is held
 and keeps moving until `HOLD_S` after it was last seen, since terminals repeat keys instead of
-telling when one is let go. `release` ends all motion at once.
+telling when one is let go. `release` ends all motion at once. The hand turns about the point
+between its fingers.
 
 Keys: w/s forward and backward, a/d left and right, r/f up and down; q/e turn left and right,
 t/g tilt up and down, z/x roll counterclockwise and clockwise; o/c open and close the hand;
-+/- faster and slower; space is the clutch: while it is out, no key moves the arm.
++/- faster and slower; space is the clutch: while it is out, nothing moves the arm.
 """
 
 from __future__ import annotations
@@ -18,42 +19,40 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array, quat_from_rotvec, quat_multiply
-from assistant.model.motion import HandPath, HandStop, Refusal
+from assistant.geometry import Array
+from assistant.model.motion import ArmReport, HandPath, HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import Arm, HandSample, Planner
 from sim.a465 import GRIPPER
+from sim.driving import Driven
+from sim.hands.keymap import (
+    CLOSE,
+    CLUTCH,
+    FASTER,
+    MOVES,
+    OPEN,
+    SLOWER,
+    TURNS,
+    directions,
+    stepped,
+)
+from sim.jogging import Jog, Jogger, joint_path
 from sim.kinematic_arm import between_pads
 from sim.world import CONTROL_S
 
-MOVES: Mapping[str, tuple[float, float, float]] = {
-    "w": (1.0, 0.0, 0.0),
-    "s": (-1.0, 0.0, 0.0),
-    "a": (0.0, 1.0, 0.0),
-    "d": (0.0, -1.0, 0.0),
-    "r": (0.0, 0.0, 1.0),
-    "f": (0.0, 0.0, -1.0),
-}
-TURNS: Mapping[str, tuple[float, float, float]] = {
-    "q": (0.0, 0.0, 1.0),
-    "e": (0.0, 0.0, -1.0),
-    "t": (0.0, -1.0, 0.0),
-    "g": (0.0, 1.0, 0.0),
-    "z": (-1.0, 0.0, 0.0),
-    "x": (1.0, 0.0, 0.0),
-}
-OPEN, CLOSE, FASTER, SLOWER, CLUTCH = "o", "c", "+", "-", " "
 HOLD_S = 0.12
 """A key moves for this long after it was last seen; terminals repeat about every 40 ms."""
-STEP_SAMPLES = 6
 SPEED_M_S, TURN_RAD_S = 0.10, 0.5
 SLOWEST, FASTEST, STEP = 0.1, 2.0, 1.25
 STEP_M, STEP_RAD = 0.005, float(np.deg2rad(2.0))
 """What a tap does at the usual speed."""
-CHUNKS_S = (1.5, 0.6, 0.1, 0.04)
-"""A held key moves so long at a time; the first time shorter, which is off more quickly."""
+RENEWED = 5
+"""A held key's motion is planned anew after so many ticks; it would end at rest otherwise."""
+SPARED = 0.98
+"""Share of the hand's greatest speed that is used."""
 ENDS = ("finished", "halted", "unmet")
+Trouble = Refusal | ArmReport | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +61,7 @@ class KeyedState:
 
     speed: float
     clutched: bool
-    blocked: str
+    blocked: Trouble
     hand: str
 
 
@@ -74,7 +73,7 @@ class KeyedHand:
     arm : Arm
         Arranged; its bodies are really moved.
     planner : Planner
-        Checks every step for reach, limits and collision.
+        Checks opening and closing; `sim.jogging` checks every step of the hand.
     scene : Scene
     setup : Setup
     period_s : float
@@ -88,13 +87,18 @@ class KeyedHand:
         self._scene, self._setup = scene, setup
         self._ticks = max(1, round(period_s / CONTROL_S))
         self._began_s = arm.look().now_s
+        # An arm that was only just arranged may hold its start with any joints that do.
+        self._fresh = self._began_s == 0.0
         self._left: dict[str, float] = {}
-        self._speed, self._clutched, self._blocked = 1.0, False, ""
-        self._wanted = ""
-        self._over = self._moving = self._stepping = False
-        self._driven_by: frozenset[str] = frozenset()
-        self._held = False
-        self._said = ""
+        self._speed, self._clutched, self._held = 1.0, False, False
+        self._blocked: Trouble = None
+        self._wanted = self._said = ""
+        self._over = self._acting = self._braking = False
+        self._goal: Array | None = None
+        self._jog: Jog | None = None
+        self._asked: object = None
+        self._at = self._due = 0
+        self._rest: Driven | None = None
 
     @property
     def state(self) -> KeyedState:
@@ -106,24 +110,53 @@ class KeyedHand:
         """Take a key and return whether it means anything here."""
         if key == CLUTCH:
             self._clutched = not self._clutched
-            self._left.clear()
+            self._let_go()
         elif key in (FASTER, SLOWER):
             factor = STEP if key == FASTER else 1.0 / STEP
             self._speed = float(np.clip(self._speed * factor, SLOWEST, FASTEST))
         elif key in (OPEN, CLOSE):
             self._wanted = "" if self._clutched else key
         elif key in MOVES or key in TURNS:
-            if not self._clutched:
-                self._left[key] = HOLD_S
+            self._push(key)
         else:
             return False
         return True
 
+    def _push(self, key: str) -> None:
+        if self._clutched:
+            return
+        if key in self._left:
+            self._held = True
+        elif not self._held:
+            move, turn = directions((key,))
+            self._aim(STEP_M * self._speed * move, STEP_RAD * self._speed * turn)
+        self._left[key] = HOLD_S
+
+    def lead(self, move_m: tuple[float, float, float]) -> None:
+        """Move the hand on by so much along the base's axes, as a mouse that drags it does."""
+        if not self._clutched:
+            self._aim(self._speed * np.array(move_m), np.zeros(3))
+
+    def _aim(self, move: Array, turn: Array) -> None:
+        """Add to where the hand is to come to rest."""
+        tip = self._goal
+        if tip is None:
+            tip = self._resting().tip if self._jog is None else self._jog.tips[-1]
+        self._goal = stepped(tip, move, turn)
+
     def release(self, key: str | None = None) -> None:
-        """End the motion of a key, or of all of them."""
-        for known in [key] if key else list(self._left):
-            self._left.pop(known, None)
-        self._stepping = False
+        """End the motion of a key, or all motion at once."""
+        if key is not None:
+            self._left.pop(key, None)
+            return
+        self._let_go()
+        if self._jog is not None:
+            self._arm.stop("key")
+            self._braking = True
+
+    def _let_go(self) -> None:
+        self._left.clear()
+        self._held, self._goal = False, None
 
     def say(self, text: str) -> None:
         """Attach words to the next sample."""
@@ -142,61 +175,82 @@ class KeyedHand:
         said, self._said = self._said, ""
         return HandSample(look.now_s - self._began_s, look.hand, look.gripper_m, said)
 
-    def _tick(self) -> None:
-        keys = frozenset(self._left)
-        if not self._moving and self._wanted:
-            self._act()
-        elif not self._moving and keys:
-            self._jog(keys)
-        elif self._moving and self._driven_by and not self._goes_on(keys):
-            self._arm.stop("key")
-        for report in self._arm.tick():
-            if report.kind == "unmet":
-                self._blocked = f"{report.text} {report.object}".strip()
-            if report.kind in ENDS:
-                self._moving, self._driven_by = False, frozenset()
-        # Whoever lets go of all keys begins anew with a step.
-        self._held = self._held and bool(self._left)
-        self._left = {k: s - CONTROL_S for k, s in self._left.items() if s > CONTROL_S}
-
-    def _goes_on(self, keys: frozenset[str]) -> bool:
-        """Whether what moves is still wanted; a step is, unless another key is pressed."""
-        return keys == self._driven_by or (self._stepping and not keys)
-
     def samples(self) -> Iterator[HandSample]:
         """Yield samples until `finish` is called."""
         while not self._over:
             yield self.tick()
 
-    def _jog(self, keys: frozenset[str]) -> None:
-        """Plan a short straight motion; it is braked as soon as the keys change."""
-        look = self._arm.look()
-        move = sum((np.array(MOVES[k]) for k in keys if k in MOVES), np.zeros(3))
-        turn = sum((np.array(TURNS[k]) for k in keys if k in TURNS), np.zeros(3))
-        speed = min(SPEED_M_S * self._speed, self._scene.hand_speed_m_s)
-        if not self._held:
-            self._step(keys, move, turn)
-            return
-        # A way that is blocked further on is tried again over a shorter stretch.
-        for seconds in CHUNKS_S[1:] if self._stepping else CHUNKS_S:
-            t_s = np.arange(0.0, seconds + CONTROL_S / 2, CONTROL_S)[:, None]
-            goals = stepped(
-                look.hand, _unit(move) * speed * t_s, _unit(turn) * TURN_RAD_S * self._speed * t_s
-            )
-            if self._begin(goals, np.full(len(goals), look.gripper_m), ()):
-                self._driven_by, self._stepping = keys, False
-                return
-        self.release()
+    def _tick(self) -> None:
+        if not self._acting and not self._braking:
+            self._decide()
+        self._at += 1
+        for report in self._arm.tick():
+            if report.kind == "unmet":
+                self._blocked = report
+            if report.kind in ENDS:
+                self._ended(report)
+        self._left = {k: s - CONTROL_S for k, s in self._left.items() if s > CONTROL_S}
+        # Whoever lets go of all keys begins anew with a step.
+        self._held = self._held and bool(self._left)
 
-    def _step(self, keys: frozenset[str], move: Array, turn: Array) -> None:
+    def _ended(self, report: ArmReport) -> None:
+        whole = report.kind == "finished"
+        self._rest = self._jog.at(len(self._jog.q)) if whole and self._jog is not None else None
+        if not whole:
+            self._let_go()
+        elif self._goal is not None and self._goal.tobytes() == self._asked:
+            self._goal = None
+        self._acting = self._braking = False
+        self._jog = self._asked = None
+
+    def _decide(self) -> None:
+        """Begin, renew or end a motion as the keys ask for."""
+        if self._wanted and self._jog is None:
+            self._act()
+            return
+        keys = frozenset(self._left) if self._held and not self._wanted else frozenset()
+        asked: object = None
+        if keys:
+            self._goal, asked = None, keys
+        elif self._goal is not None and not self._wanted:
+            asked = self._goal.tobytes()
+        renewed = bool(keys) and self._at >= self._due
+        if asked != self._asked or renewed:
+            self._plan(keys, asked)
+
+    def _resting(self) -> Driven:
+        return self._rest or Driven.resting(self._arm.look().q)
+
+    def _plan(self, keys: frozenset[str], asked: object) -> None:
+        """Plan the next motion from where the arm is in course; what is not free is not begun."""
         look = self._arm.look()
-        share = np.linspace(0.0, 1.0, STEP_SAMPLES)[:, None] * self._speed
-        goals = stepped(look.hand, _unit(move) * STEP_M * share, _unit(turn) * STEP_RAD * share)
-        self._held = True
-        if self._begin(goals, np.full(len(goals), look.gripper_m), ()):
-            self._driven_by, self._stepping = keys, True
+        jogger = Jogger(self._scene, self._setup, look)
+        now = self._resting() if self._jog is None else self._jog.at(self._at)
+        most = min(SPEED_M_S * self._speed, SPARED * self._scene.hand_speed_m_s)
+        turning = TURN_RAD_S * self._speed
+        if keys:
+            move, turn = directions(keys)
+            speed = np.concatenate([most * move, turning * turn])
+            found = jogger.towards(now, speed, seats=self._fresh)
+        elif self._goal is not None:
+            found = jogger.to(now, self._goal, (most, turning), seats=self._fresh)
         else:
-            self.release()
+            found = jogger.halting(now)
+        if isinstance(found, Refusal) and self._jog is None:
+            self._blocked = found
+            self._let_go()
+            return
+        if isinstance(found, Refusal) and asked != self._asked:
+            # What is in course and no longer wanted is braked.
+            found = jogger.halting(now)
+        self._asked, self._due = asked, self._at + RENEWED
+        if isinstance(found, Jog):
+            self._begin(found, look.gripper_m)
+
+    def _begin(self, jog: Jog, gripper_m: float) -> None:
+        self._arm.start(joint_path(jog, gripper_m))
+        self._jog, self._at, self._due = jog, 0, RENEWED
+        self._blocked, self._fresh = None, False
 
     def _act(self) -> None:
         """Open or close the hand, which rests meanwhile."""
@@ -205,31 +259,16 @@ class KeyedHand:
         name = look.held or (self._reached(look.bodies, look.hand) if closing else "")
         goal = 0.0 if closing else GRIPPER.open_m
         stop = HandStop(1, "grasp" if closing else "release", name, "", 0, 2)
-        self._left.clear()
-        self._begin(np.tile(look.hand, (3, 1)), np.array([look.gripper_m, goal, goal]), (stop,))
+        self._let_go()
+        t_s, path = CONTROL_S * np.arange(3.0), np.tile(look.hand, (3, 1))
+        opening = np.array([look.gripper_m, goal, goal])
+        wanted = HandPath(t_s, path, opening, np.full(3, -1), (stop,))
+        found = self._planner.plan(wanted, self._scene, self._setup, look)
+        if isinstance(found, Refusal):
+            self._blocked = found
+            return
+        self._blocked, self._acting, self._fresh = None, True, False
+        self._arm.start(found)
 
     def _reached(self, bodies: Mapping[str, Array], hand: Array) -> str:
         return between_pads(self._scene, bodies, hand)
-
-    def _begin(self, path: Array, gripper_m: Array, stops: tuple[HandStop, ...]) -> bool:
-        count = len(path)
-        t_s = CONTROL_S * np.arange(count, dtype=float)
-        wanted = HandPath(t_s, path, gripper_m, np.full(count, -1), stops)
-        found = self._planner.plan(wanted, self._scene, self._setup, self._arm.look())
-        if isinstance(found, Refusal):
-            self._blocked = str(found)
-            return False
-        self._blocked, self._moving = "", True
-        self._arm.start(found)
-        return True
-
-
-def stepped(hand: Array, moves: Array, turns: Array) -> Array:
-    """Return a flange pose moved along the base's axes and turned about them, shape (n, 7)."""
-    quats = quat_multiply(quat_from_rotvec(turns), hand[3:])
-    return np.concatenate([hand[:3] + moves, quats], axis=-1)
-
-
-def _unit(vector: Array) -> Array:
-    length = float(np.linalg.norm(vector))
-    return np.array(vector / length, dtype=float) if length > 0 else np.zeros(3)

@@ -5,8 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from assistant.geometry import compose, quat_to_rotvec
+from assistant.model.motion import Refusal
+from sim import a465
 from sim.hands import KeyedHand
 from sim.kinematic_arm import KinematicArm
+from sim.kinematics import forward, inverse_all, limit_margin
 from sim.planner import A465Planner
 from tests.sim.placing import lesson
 
@@ -28,8 +32,8 @@ def held(hand: KeyedHand, key: str, ticks: int) -> list[np.ndarray]:
 
 
 def test_a_held_key_moves_the_hand_its_way_and_letting_go_stops_it(hand: KeyedHand) -> None:
-    poses = held(hand, "w", 45)
-    assert poses[-1][0] > poses[0][0] + 0.02
+    poses = held(hand, "w", 30)
+    assert poses[-1][0] > poses[0][0] + 0.04
     assert np.max(np.abs(poses[-1][1:3] - poses[0][1:3])) < 1e-4
     hand.release("w")
     for _ in range(13):
@@ -67,8 +71,19 @@ def test_a_blocked_way_is_not_gone_and_is_named(hand: KeyedHand) -> None:
         pose = hand.tick().pose
         if hand.state.blocked:
             break
-    assert "joint 3" in hand.state.blocked
+    assert isinstance(hand.state.blocked, Refusal)
+    assert hand.state.blocked.what == "joint 3"
     assert np.array_equal(hand.tick().pose, pose)
+
+
+def test_a_blocked_way_is_gone_as_far_as_it_is_free(hand: KeyedHand) -> None:
+    poses = held(hand, "f", 300)
+    assert isinstance(hand.state.blocked, Refusal)
+    last = poses[-1]
+    assert np.max(np.abs(last[:2] - poses[0][:2])) < 1e-4
+    # Joint 3 has less than half a degree left.
+    lower = compose(last, np.array([0.0, 0.0, -0.003, 0.0, 0.0, 0.0, 1.0]))
+    assert np.all(limit_margin(inverse_all(lower[None])[0, [0, 1]]) < 0.0)
 
 
 def test_words_go_with_the_next_sample_and_finish_ends_it(hand: KeyedHand) -> None:
@@ -99,3 +114,85 @@ def test_a_tap_is_broken_off_by_release(hand: KeyedHand) -> None:
     for _ in range(30):
         pose = hand.tick().pose
     assert pose[0] - before[0] < 0.004
+
+
+@pytest.mark.parametrize("key", "wsadrf")
+def test_every_way_out_of_the_start_is_gone_at_once_at_full_speed(
+    hand: KeyedHand, key: str
+) -> None:
+    poses = held(hand, key, 30)
+    far = [float(np.linalg.norm(pose[:3] - poses[0][:3])) for pose in poses]
+    assert far[10] > 0.010
+    assert np.max(np.diff(far)) == pytest.approx(0.10 * 0.02, rel=1e-3)
+
+
+@pytest.mark.parametrize("key", "qetgzx")
+def test_the_hand_turns_about_its_fingers(hand: KeyedHand, key: str) -> None:
+    poses = np.array(held(hand, key, 50))
+    tips = compose(poses, np.array([a465.TCP_M, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]))
+    assert np.max(np.abs(tips[:, :3] - tips[0, :3])) < 1e-4
+    assert np.linalg.norm(quat_to_rotvec(poses[-1][3:])) > np.deg2rad(20.0)
+
+
+def driven(hand: KeyedHand, arm: KinematicArm, keys: str, ticks: int) -> np.ndarray:
+    """Return the joints, shape (n, 6), while keys are held in turn and then let go."""
+    joints = []
+    for key in (*keys, *"    "):
+        for _ in range(ticks):
+            if key != " ":
+                hand.press(key)
+            hand.tick()
+            joints.append(arm.look().q)
+    return np.array(joints)
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        "wa",
+        "adfr",
+        "rdsaw",
+        "fqwe",
+        "tdga",
+        "".join(np.random.default_rng(5).permutation(list("wasdrfqetgzx"))),
+    ],
+)
+def test_limits_hold_and_the_hand_keeps_its_turn_through_the_singularity(keys: str) -> None:
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    arm.arrange(scene, setup)
+    q = driven(KeyedHand(arm, A465Planner(), scene, setup), arm, keys, 17)
+    speeds = np.diff(q, axis=0) / 0.02
+    gains = np.diff(speeds, axis=0) / 0.02
+    assert np.all(limit_margin(q) >= 0.0)
+    assert np.all(np.abs(speeds) <= a465.SPEEDS)
+    assert np.all(np.abs(gains) <= a465.ACCELERATIONS)
+    hands = forward(q)
+    assert np.max(np.linalg.norm(np.diff(hands[:, :3], axis=0), axis=1)) <= 0.25 * 0.02
+    if not set(keys) & set("qetgzx"):
+        turned = np.linalg.norm(quat_to_rotvec(hands[:, 3:]), axis=1)
+        assert np.max(turned) < np.deg2rad(1.0)
+        assert turned[-1] < np.deg2rad(0.01)
+
+
+def test_a_hand_that_is_led_goes_there_and_letting_go_halts_it(hand: KeyedHand) -> None:
+    begin = hand.tick().pose
+    for _ in range(6):
+        hand.lead((0.004, 0.003, -0.002))
+        hand.tick()
+    for _ in range(60):
+        pose = hand.tick().pose
+    assert pose[:3] - begin[:3] == pytest.approx(6 * np.array([0.004, 0.003, -0.002]), abs=1e-5)
+    hand.press(" ")
+    hand.lead((0.05, 0.0, 0.0))
+    assert np.array_equal([hand.tick().pose for _ in range(9)][-1], pose)
+
+
+def test_what_is_no_longer_wanted_is_braked_within_a_quarter_second(hand: KeyedHand) -> None:
+    held(hand, "a", 25)
+    before = held(hand, "r", 6)[-1]
+    for _ in range(12):
+        after = held(hand, "r", 1)[-1]
+    later = held(hand, "r", 1)[-1]
+    assert later[1] == pytest.approx(after[1], abs=1e-5)
+    assert after[2] > before[2] + 0.01
