@@ -111,7 +111,7 @@ def _drawn(
     half = _half_deg(sector)
     places: dict[str, Place] = {}
     spots: list[Array] = []
-    for thing in task.objects:
+    for name in _concerned(task):
         spot = _spot(random, half)
         if any(np.hypot(*(spot[:2] - other[:2])) < APART_M for other in spots):
             return None
@@ -119,8 +119,15 @@ def _drawn(
         if table is None:
             return None
         spots.append(spot)
-        places[thing.name] = _place(scene, thing.name, spot, table)
+        places[name] = _place(scene, name, spot, table)
     return Setup("random", scene.name, start, places)
+
+
+def _concerned(task: Task) -> tuple[str, ...]:
+    """Return the things a task tells of, and those only its lesson came upon."""
+    stations = task.learned.stations if task.learned else ()
+    met = (name for one in stations for name in (one.object, one.frame) if name)
+    return tuple(dict.fromkeys((*(one.name for one in task.objects), *met)))
 
 
 def _spot(random: np.random.Generator, half_deg: float) -> Array:

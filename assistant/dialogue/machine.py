@@ -35,6 +35,7 @@ from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
 from assistant.dialogue.turn import Turn, first, line, say
 from assistant.dialogue.view import public_view
+from assistant.language.hints import hints
 from assistant.model.listening import Listening
 from assistant.model.robot_acts import About
 
@@ -120,10 +121,12 @@ def listening(dialogue: Dialogue) -> Listening:
     asked = question(dialogue)
     known = dialogue.known
     things = tuple(one.name for one in known.objects or ()) or tuple(known.scene.bodies)
+    own: dict[str, list[str]] = hints("things", known.language)
+    things = tuple(own.get(name, [name])[0] for name in things)
     return Listening(
         stage(dialogue),
         asked.asked if asked is not None else None,
-        dialogue.arm == "moving",
+        dialogue.in_motion,
         known.name,
         things,
         names(known.root),

@@ -89,7 +89,8 @@ def _told(pieces: Sequence[str], language: str) -> tuple[str, ...]:
 def _verbs(language: str) -> set[str]:
     """Return the words that begin what a teacher says of an action."""
     entries = (*hints("actions", language), *hints("guesses", language))
-    return {phrase.split()[0] for entry in entries for phrase in entry["phrases"]}
+    ends = (0, -1) if hints("verb_last", language) else (0,)
+    return {phrase.split()[end] for one in entries for phrase in one["phrases"] for end in ends}
 
 
 def listed_steps(text: str, room: int = 2, language: str = "english") -> tuple[str, ...]:
@@ -103,11 +104,13 @@ def _begins_or_ends_with_verb(step: str, language: str) -> bool:
     """Whether a step's verb stands where the language puts it: "lift the block", "Block heben"."""
     words = without_slips(step, (), language).lower().split()
     verbs = _verbs(language)
-    return words[0] in verbs or (hints("verb_last", language) and words[-1] in verbs)
+    return bool(words) and (words[0] in verbs or words[-1] in verbs)
 
 
 def _at_verbs(text: str, room: int, language: str) -> list[str]:
     """Return the steps of a list heard without commas, if just as many are missing."""
+    if hints("verb_last", language):
+        return []
     verbs = _verbs(language)
     pieces: list[list[str]] = []
     for word in text.split():

@@ -192,6 +192,9 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
             scene = dialogue.known.scene
             things = things_in(values, scene, dialogue.language)
             return bool(things) and all(thing.name in scene.bodies for thing in things)
+        case "goal":
+            # Any sentence may be a goal, and it is read back with the plan.
+            return "?" not in text and len(text.split()) >= SENTENCE
         case "subtask_count":
             return values == (str(number_of(text, dialogue.language)),)
         case "subtask_name":

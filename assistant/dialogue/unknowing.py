@@ -101,4 +101,6 @@ def suggested_steps(dialogue: Dialogue) -> tuple[str, ...]:
     if len(carried) != 1 or len(targets) != 1:
         return ()
     told: list[str] = hints("suggested_steps", dialogue.language)
-    return tuple(one.format(object=carried[0], target=targets[0]) for one in told)
+    own: dict[str, list[str]] = hints("things", dialogue.language)
+    thing, target = (own.get(name, [name])[0] for name in (carried[0], targets[0]))
+    return tuple(one.format(object=thing, target=target) for one in told)

@@ -81,7 +81,7 @@ def mentioned_objects(
 def called_things(name: str, language: str = "english") -> tuple[str, ...]:
     """Return the words a thing may be called by: its own name, and what teachers say for it."""
     told: dict[str, list[str]] = hints("things", language)
-    return (name.lower(), *told.get(name.lower(), ()))
+    return (name.lower(), *(word.lower() for word in told.get(name.lower(), ())))
 
 
 def role_of(name: str, language: str = "english") -> str:

@@ -25,7 +25,7 @@ def page(name: str, language: str = "english") -> Any:
 
 def has_page(name: str, language: str) -> bool:
     """Whether a language's phrasebook has this page itself."""
-    folder = FOLDERS.get(language, "english")
+    folder = FOLDERS.get(language, language)
     return (files("assistant.language") / folder / f"{name}.yaml").is_file()
 
 

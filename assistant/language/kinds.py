@@ -31,7 +31,7 @@ def _numbers(wording: Wording, value: Any) -> str:
 
 
 def _some(wording: Wording, value: Any) -> str:
-    return str(value or 0)
+    return str(value) if value else str(wording.book["words"]["none"])
 
 
 def _ordinal(wording: Wording, value: Any) -> str:

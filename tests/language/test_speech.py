@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -11,14 +12,14 @@ import pytest
 
 import assistant.dialogue
 from assistant.errors import BadInput
-from assistant.language.hints import page
+from assistant.language.hints import has_page, page
+from assistant.language.kinds import KINDS
 from assistant.language.speech import check_spoken, phrase
 from assistant.language.stopping import has_stop_word
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.teacher_acts import ACTS, ASKED, STAGES
 
-LANGUAGES = ("english",)
-SAYS: dict[str, dict[str, Any]] = page("says")["says"]
+LANGUAGES = ("english", "german")
 WHILE_MOVING = {
     "announce": None,
     "perceived": None,
@@ -30,6 +31,7 @@ WHILE_MOVING = {
     "help": {"moving", "checking"},
     "done": None,
 }
+SPOKEN_PARTS = ("given", "conditions", "actions", "hints", "signals", "changes")
 
 
 def written() -> Iterator[tuple[str, str]]:
@@ -65,11 +67,66 @@ def _texts(template: Any) -> list[str]:
     return [template] if isinstance(template, str) else [template["full"], template["brief"]]
 
 
-def test_nothing_said_while_moving_holds_a_stop_word() -> None:
-    for act, topics in WHILE_MOVING.items():
-        for topic, template in SAYS[act].items():
-            if topics is None or topic in topics:
-                assert not any(has_stop_word(text) for text in _texts(template)), f"{act}.{topic}"
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_nothing_said_while_moving_holds_a_stop_word(language: str) -> None:
+    book = page("says", language)
+    told = [
+        text
+        for act, topics in WHILE_MOVING.items()
+        for topic, template in book["says"][act].items()
+        if topics is None or topic in topics
+        for text in _texts(template)
+    ]
+    # The words that fill those sentences are the same while moving and at rest.
+    parts = [text for part in SPOKEN_PARTS for text in _leaves(book[part])]
+    assert [text for text in (*told, *parts) if has_stop_word(text, language)] == []
+
+
+def _leaves(value: Any) -> list[str]:
+    if isinstance(value, dict):
+        return [text for one in value.values() for text in _leaves(one)]
+    return [text for one in value for text in _leaves(one)] if isinstance(value, list) else [value]
+
+
+def _keys(value: Any, *above: str) -> Iterator[tuple[str, ...]]:
+    if isinstance(value, dict):
+        for key, one in value.items():
+            yield (*above, key)
+            yield from _keys(one, *above, key)
+
+
+@pytest.mark.parametrize("name", ["says", "hints", "terminal"])
+def test_every_key_stands_in_both_phrasebooks(name: str) -> None:
+    """The words of a language are its own; what they are words for is the same."""
+    english, german = (page(name, language) for language in LANGUAGES)
+    own = ("given", "numbers", "ordinals", "units", "things", "colors", "scripted")
+    told = [{key for key in _keys(one) if key[0] not in own} for one in (english, german)]
+    assert sorted(told[0] ^ told[1]) == []
+    assert has_page(name, "german")
+
+
+def _slots(text: str) -> set[str]:
+    return {name for name, _ in re.findall(r"\{(\w+)(?::([^}]*))?\}", text)}
+
+
+def test_both_phrasebooks_tell_the_same_slots() -> None:
+    english, german = (page("says", language)["says"] for language in LANGUAGES)
+    odd = [
+        f"{act}.{topic}"
+        for act, topics in english.items()
+        for topic, template in topics.items()
+        for ours, theirs in zip(_texts(template), _texts(german[act][topic]), strict=True)
+        if _slots(ours) != _slots(theirs)
+    ]
+    assert odd == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_kind_of_word_is_known(language: str) -> None:
+    book = page("says", language)
+    kinds = {kind for text in _leaves(book) for _, kind in re.findall(r"\{(\w+):([^}]*)\}", text)}
+    plain = {kind for kind in kinds if re.fullmatch(r"(?:\.\d)?[fg]", kind)}
+    assert kinds - plain - set(KINDS) - set(book["words"]) == set()
 
 
 def test_slots_become_words() -> None:
@@ -143,7 +200,25 @@ def test_guesses_are_read_back_in_words() -> None:
     assert told == "Did you mean: a little more left and slower?"
 
 
-def test_a_language_without_words_of_the_robot_is_refused() -> None:
-    check_spoken("english")
-    with pytest.raises(BadInput, match="does not speak german yet"):
-        check_spoken("german")
+def test_a_language_without_words_of_the_robot_is_refused(tmp_path: Path) -> None:
+    for language in (*LANGUAGES, "en", "de"):
+        check_spoken(language)
+    with pytest.raises(BadInput, match="does not speak klingon"):
+        check_spoken("klingon")
+
+
+def test_german_tells_numbers_names_and_texts_of_the_program_its_own_way() -> None:
+    slots = {"where": "way to target", "what": "joint 5", "amount": 12.0, "unit": "deg"}
+    told = phrase(RobotAct("refuse", "joint_limit", slots=slots), "german")
+    assert told == (
+        "Ich fahre nicht: auf dem Weg zu „Ziel“ müsste Gelenk 5 über die Grenze, um 12 Grad."
+    )
+    note = "going around table on the way to block; staying within the arm's reach at the end"
+    around = phrase(RobotAct("report", "detour", slots={"note": note}), "german")
+    assert around == (
+        "Ich nehme einen anderen Weg: um „Tisch“ herum auf dem Weg zu „Block“;"
+        " innerhalb meiner Reichweite am Ende."
+    )
+    slots = {"size": 2.5, "direction": "left", "primitive": "grasp", "frame": "target"}
+    told = phrase(RobotAct("done", "translate", slots=slots), "german")
+    assert told == "2,5 mm nach links bei „grasp“, wo immer „Ziel“ steht."

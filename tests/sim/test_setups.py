@@ -45,6 +45,13 @@ def test_the_start_may_be_kept_at_ready() -> None:
     assert told.robot_start == READY
 
 
+def test_what_only_the_lesson_came_upon_is_put_somewhere_too() -> None:
+    untold = replace(taught(), objects=taught().objects[:1])
+    told = new_setup(untold, scene(), TABLE1[3], 5)
+    assert told is not None
+    assert set(told.places) == {"block", "target"}
+
+
 def test_a_new_setup_starts_where_the_old_one_did() -> None:
     told = new_setup(taught(), scene(), TABLE1[3], 5)
     assert told is not None
