@@ -48,8 +48,9 @@ SHOWN_M = 0.010
 def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, sure: bool) -> Turn:
     """Take a spoken correction; what is large, or heard as a number, is read back first."""
     if isinstance(act, acts.Gripper) and act.where is None:
-        at_rest = not dialogue.busy
-        if at_rest:
+        if dialogue.arm == "homing":
+            return say(dialogue, line("error", "while_moving"))
+        if not dialogue.busy:
             return _hand(dialogue, act, sure=sure)
     if isinstance(dialogue.state, Introducing):
         return tell(dialogue, line("error", "not_an_answer"))
@@ -130,7 +131,7 @@ def _leaf_under(dialogue: Dialogue, name: str) -> str:
 def _hand(dialogue: Dialogue, act: acts.Gripper, *, sure: bool) -> Turn:
     """Open or close the hand at rest; letting go of something above a surface is confirmed."""
     run = dialogue.run
-    held = run.held if run is not None and isinstance(dialogue.state, Running) else ""
+    held = run.held if run is not None else ""
     if act.command == "open" and held and not sure:
         height = run.height_mm if run is not None else None
         topic = "open_above" if height is not None else "open_holding"

@@ -182,7 +182,7 @@ def _now(dialogue: Dialogue) -> RobotAct | None:
     """Tell which step the arm is at; None at rest."""
     leaves = primitives(dialogue.known.task.tree)
     run = dialogue.run
-    if dialogue.arm == "rest" or run is None or not 0 <= run.primitive_at < len(leaves):
+    if dialogue.arm in ("rest", "homing") or run is None or not 0 <= run.primitive_at < len(leaves):
         return None
     leaf = leaves[run.primitive_at]
     slots: dict[str, Any] = {

@@ -25,7 +25,7 @@ from assistant.model.teacher_acts import Stage
 def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
     """Return to a stage; nothing that was taught is lost."""
     halting: tuple[Effect, ...] = ()
-    if dialogue.arm in ("moving", "checking", "paused"):
+    if dialogue.can_halt:
         halting = (Halt("stop"),)
     still = replace(dialogue, arm="rest", pending=None)
     known = dialogue.known

@@ -177,7 +177,7 @@ def comparison(known: Knowledge, name: str, other: Task) -> Any:
 
 def leave_wanted(dialogue: Dialogue) -> Turn:
     """End the session; with unsaved work only after a question."""
-    halting = (Halt("stop"),) if dialogue.arm in ("moving", "checking", "paused") else ()
+    halting = (Halt("stop"),) if dialogue.can_halt else ()
     still = replace(dialogue, arm="stopped" if halting else dialogue.arm)
     if not (still.unsaved and still.known.name):
         return first(halting, leave(still))

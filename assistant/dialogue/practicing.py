@@ -23,25 +23,33 @@ from assistant.dialogue.turn import (
     say,
     then,
 )
+from assistant.model.robot_acts import RobotAct
 
 
 def halted(dialogue: Dialogue, event: Halted) -> Turn:
     """Take a halt from outside the dialogue: a stop word, a key, a closed window."""
-    if dialogue.arm not in ("moving", "checking", "paused"):
-        return dialogue, ()
-    return stopped(dialogue, event.why)
+    return stopped(dialogue, event.why) if dialogue.can_halt else (dialogue, ())
 
 
 def stopped(dialogue: Dialogue, why: str) -> Turn:
     """Tell that the arm stands still and why; it waits for a new start."""
+    if dialogue.arm == "homing":
+        return not_home(dialogue, line("stopped", "stop.home", why=why))
     run = dialogue.run and replace(dialogue.run, interrupted=True)
     still = replace(dialogue, arm="stopped", pending=None, run=run)
     return say(still, line("stopped", "stop", why=why))
 
 
+def not_home(dialogue: Dialogue, told: RobotAct) -> Turn:
+    """Tell why the hand is not back where it starts; no run waits to be gone on with."""
+    return tell(replace(dialogue, arm="rest"), told)
+
+
 def stop(dialogue: Dialogue) -> Turn:
     """Halt whatever is going on; grip and knowledge are kept."""
     match dialogue.arm:
+        case "homing":
+            return first((Halt("stop"),), stopped(dialogue, "stop"))
         case "moving" | "checking" | "paused":
             turn = stopped(replace(dialogue, state=Running()), "stop")
             return first((Halt("stop"),), turn)
@@ -55,7 +63,7 @@ def pause(dialogue: Dialogue) -> Turn:
     """Halt for a while; going on needs only a word."""
     if dialogue.arm == "moving":
         return first((Halt("pause"),), say(replace(dialogue, arm="paused"), line("told", "paused")))
-    if dialogue.arm == "checking":
+    if dialogue.arm in ("checking", "homing"):
         return stop(dialogue)
     return say(dialogue, line("told", "still"))
 

@@ -10,7 +10,7 @@ from assistant.dialogue.asking import PRACTICE, ask, index_of, tell
 from assistant.dialogue.conditions import expected, missing, plain_conditions
 from assistant.dialogue.effects import GoOn, Move
 from assistant.dialogue.events import Checked
-from assistant.dialogue.practicing import stopped
+from assistant.dialogue.practicing import not_home, stopped
 from assistant.dialogue.state import (
     Dialogue,
     Ran,
@@ -124,6 +124,11 @@ def _refusal_slots(refusal: Refusal) -> dict[str, Any]:
 def reported(dialogue: Dialogue, report: ArmReport) -> Turn:
     """Take what the arm tells of its motion."""
     run = dialogue.run
+    if run is not None and report.kind in ("finished", "halted"):
+        run = replace(run, held=report.object, height_mm=report.height_mm)
+        dialogue = replace(dialogue, run=run)
+    if dialogue.arm == "homing":
+        return _homing(dialogue, report)
     if run is None or dialogue.arm == "rest":
         return dialogue, ()
     match report.kind:
@@ -134,9 +139,23 @@ def reported(dialogue: Dialogue, report: ArmReport) -> Turn:
         case "unmet":
             return _unmet(dialogue, report)
         case "halted":
-            return _halted(dialogue, run, report)
+            return stopped(dialogue, report.text) if dialogue.arm == "moving" else (dialogue, ())
         case _:
             return _finished(dialogue, run, report)
+
+
+def _homing(dialogue: Dialogue, report: ArmReport) -> Turn:
+    """Take what is told on the way back to the start, where no run is under way."""
+    match report.kind:
+        case "finished":
+            return replace(dialogue, arm="rest"), ()
+        case "halted":
+            return stopped(dialogue, report.text)
+        case "unmet":
+            told = unmet_line(report, dialogue.known.name)
+            return not_home(dialogue, replace(told, topic=f"unmet_home.{report.text}"))
+        case _:
+            return dialogue, ()
 
 
 def _primitive(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
@@ -228,15 +247,6 @@ def unmet_line(report: ArmReport, name: str, index: Index = ()) -> RobotAct:
         object=report.object,
         target=report.target,
     )
-
-
-def _halted(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
-    held = report.object or run.held
-    known_run = replace(run, held=held, height_mm=report.height_mm)
-    after = replace(dialogue, run=known_run)
-    if dialogue.arm != "moving":
-        return after, ()
-    return stopped(after, report.text)
 
 
 def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:

@@ -81,8 +81,8 @@ def _home(dialogue: Dialogue, words: Words) -> Turn | None:
         return None
     if dialogue.arm not in ("rest", "stopped", "paused"):
         return None
-    over = replace(dialogue, state=Ready(), arm="rest", pending=None)
-    return then(say(over, line("announce", "home")), Home(dialogue.known.setup))
+    going = replace(dialogue, state=Ready(), arm="homing", pending=None)
+    return then(say(going, line("announce", "home")), Home(dialogue.known.setup))
 
 
 def _swapped(dialogue: Dialogue, words: Words) -> Turn | None:

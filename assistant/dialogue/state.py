@@ -20,7 +20,8 @@ from assistant.model.task import Index, Primitive, Subtask, Task, TaskObject
 from assistant.model.teacher_acts import Asked, TeacherAct
 
 Pace = Literal["slow", "normal"]
-Arm = Literal["rest", "checking", "moving", "paused", "stopped"]
+Arm = Literal["rest", "checking", "moving", "paused", "stopped", "homing"]
+"""``homing``: on the way back to where an arrangement has the hand start; no run is under way."""
 Facing = Literal["own", "facing"]
 After = tuple[Literal["", "fresh", "load"], str]
 """What follows once unsaved work is seen to: another task, or a kept one by its name."""
@@ -296,4 +297,14 @@ class Dialogue:
     def busy(self) -> bool:
         """Whether the arm moves or is about to; a look ahead of a run does not count."""
         looking = self.run is not None and self.run.purpose in ("look", "dry")
-        return self.arm == "moving" or (self.arm == "checking" and not looking)
+        return self.in_motion or (self.arm == "checking" and not looking)
+
+    @property
+    def in_motion(self) -> bool:
+        """Whether the arm moves, in a run or on its way back."""
+        return self.arm in ("moving", "homing")
+
+    @property
+    def can_halt(self) -> bool:
+        """Whether there is anything that a stop would end."""
+        return self.in_motion or self.arm in ("checking", "paused")

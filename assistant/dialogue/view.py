@@ -107,7 +107,7 @@ def _slots(value: object, names: tuple[str, ...]) -> dict[str, Any]:
 def _at(dialogue: Dialogue) -> str | None:
     run = dialogue.run
     leaves = primitives(dialogue.known.task.tree)
-    if run is None or dialogue.arm == "rest" or not 0 <= run.primitive_at < len(leaves):
+    if run is None or dialogue.arm in ("rest", "homing") or not 0 <= run.primitive_at < len(leaves):
         return None
     return leaves[run.primitive_at].name
 

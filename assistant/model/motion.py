@@ -190,13 +190,15 @@ class ArmReport:
     text : str
         For ``perceived`` and ``unmet`` a condition's key, such as ``held``; for ``halted`` why.
     object, target : str
-        For ``perceived`` and ``unmet``; for ``halted`` `object` is what the hand holds.
+        For ``perceived`` and ``unmet``; for ``halted`` and ``finished`` `object` is what the
+        hand holds.
     alignments : tuple of Alignment
         For ``finished``.
     measures : tuple of Measure
         For ``finished``: what tells success where alignment does not, or not alone.
     height_mm : float or None
-        For ``halted``, where `object` is held: how far its base is above what is below it.
+        For ``halted`` and ``finished``, where `object` is held: how far its base is above what
+        is below it.
     when : str
         For ``unmet`` conditions of a primitive: ``before`` or ``until``; empty for what the arm
         itself noticed on its way.

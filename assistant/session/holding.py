@@ -12,7 +12,7 @@ from assistant.ports import ArmLook
 
 
 def with_held(reports: Sequence[ArmReport], look: ArmLook, scene: Scene) -> tuple[ArmReport, ...]:
-    """Return the reports of a tick that ended a run early, with what is held told at the end.
+    """Return the reports of a tick that ended a motion, with what is held told at the end.
 
     The dialogue needs it to ask before it opens the hand (design, safety). An unmet condition
     tells of its own body; what the hand holds then follows as a report of the halt.

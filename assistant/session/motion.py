@@ -197,9 +197,7 @@ class Mover:
         reports = self._equipment.arm.tick() if heeding is None else heeding.tick()
         for report in reports:
             self._take(report)
-        if self.moving or reports[-1].kind == "finished":
-            return reports
-        return with_held(reports, self.look, self.scene)
+        return reports if self.moving else with_held(reports, self.look, self.scene)
 
     def _take(self, report: ArmReport) -> None:
         if report.kind in ENDS:

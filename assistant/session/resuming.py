@@ -86,7 +86,8 @@ def motion_pending(session: Session) -> bool:
     """Return whether the arm was moving, halted on its way, or about to move."""
     dialogue = session.dialogue
     looking = dialogue.run is not None and dialogue.run.purpose == "look"
-    return dialogue.arm in ("moving", "paused") or (dialogue.arm == "checking" and not looking)
+    halted_midway = dialogue.in_motion or dialogue.arm == "paused"
+    return halted_midway or (dialogue.arm == "checking" and not looking)
 
 
 def _event(session: Session, past: Step) -> events.Event | None:

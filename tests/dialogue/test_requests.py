@@ -6,10 +6,10 @@ import pytest
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
-from assistant.dialogue.machine import public_view
+from assistant.dialogue.machine import listening, public_view
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
-from assistant.model.motion import Refusal
+from assistant.model.motion import ArmReport, Refusal
 from tests.dialogue.teaching import SETUP, Lessons
 
 LAST = "place object on target"
@@ -93,11 +93,51 @@ def test_a_dry_run_tells_and_moves_nothing() -> None:
     assert not any(isinstance(one, fx.Move) for one in teacher.every)
 
 
-def test_after_a_stop_the_hand_can_go_home() -> None:
+def homing() -> Lessons:
     teacher = Lessons().ready().moving().hear(acts.Stop(), text="stop")
-    teacher.hear(acts.Unknown(), text="go home")
+    return teacher.hear(acts.Unknown(), text="go home")
+
+
+def test_after_a_stop_the_hand_can_go_home() -> None:
+    teacher = homing()
     assert teacher.did(fx.Home)
+    # It is on its way: nothing else begins before it is there.
+    assert teacher.hear(acts.Start(), text="go").topics == ["told.moving_already"]
+    assert teacher.hear(acts.Gripper("open"), text="open the hand").topics == ["error.while_moving"]
+    teacher.report("finished")
     assert teacher.hear(acts.Start(), text="go").did(fx.Check)
+
+
+@pytest.mark.parametrize("act", [acts.Stop(), acts.Pause()])
+def test_on_its_way_home_a_stop_is_told_as_one(act: acts.Stop | acts.Pause) -> None:
+    teacher = homing()
+    assert listening(teacher.dialogue).moving
+    teacher.hear(act, text="stop")
+    assert teacher.did(fx.Halt)
+    assert teacher.topics == ["stopped.stop.home", "ask.ready_slow"]
+    teacher.report("halted", text="stop")
+    assert teacher.hear(acts.Resume(), text="resume").topics == ["error.not_now", "ask.ready_slow"]
+    assert teacher.hear(acts.Start(), text="start").did(fx.Check)
+
+
+def test_on_its_way_home_a_stop_from_outside_and_a_fault_are_told() -> None:
+    teacher = homing()
+    teacher.happen(ev.Halted("key"))
+    assert teacher.topics[0] == "stopped.stop.home"
+    teacher = homing()
+    teacher.report("unmet", text="contact", object="post")
+    assert teacher.topics[0] == "stopped.unmet_home.contact"
+    teacher = homing().hear(acts.Quit(), text="quit")
+    assert teacher.did(fx.Halt)
+
+
+def test_what_is_held_at_home_is_not_let_go_unasked() -> None:
+    teacher = homing()
+    held = ArmReport("finished", 4.0, object="block", height_mm=310.4)
+    teacher.happen(ev.ArmReported(held))
+    teacher.hear(acts.Gripper("open"), text="open the hand")
+    assert teacher.topics == ["confirm.open_above"]
+    assert not teacher.did(fx.SetHand)
 
 
 def test_nothing_runs_backwards() -> None:

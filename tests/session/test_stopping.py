@@ -9,7 +9,8 @@ import pytest
 
 from assistant.session import halting
 from assistant.session.loop import Session
-from tests.session.lessons import Heard, lesson, opened
+from assistant.session.opening import resume_session
+from tests.session.lessons import Heard, lesson, opened, opening
 
 REST_S = 0.25
 
@@ -74,3 +75,49 @@ def test_at_rest_a_stop_word_blocks_no_later_start(tmp_path: Path) -> None:
     session.hear("my bus stop is near")
     assert not session.equipment.stop_flag.is_set()
     session.close()
+
+
+def test_on_the_way_home_a_stop_is_obeyed_and_told(moving: tuple[Session, Heard]) -> None:
+    session, heard = moving
+    for words in ("stop", "go home"):
+        session.hear(words)
+        session.pass_s(1.0)
+    assert session.moving
+    session.hear("stop")
+    assert heard.topics[-2:] == ["stopped.stop.home", "ask.ready_slow"]
+    begun_s = session.mover.now_s
+    session.rest()
+    assert session.mover.now_s - begun_s <= REST_S
+    where = session.mover.look.hand.copy()
+    session.pass_s(2.0)
+    assert (session.mover.look.hand == where).all()
+    session.hear("start")
+    assert session.moving
+
+
+def test_the_end_of_an_announcement_moves_nothing_that_was_halted(
+    moving: tuple[Session, Heard],
+) -> None:
+    session, _ = moving
+    session.hear("stop")
+    session.rest()
+    session.mover.go_on(anew=False)
+    assert not session.moving
+
+
+def test_a_session_taken_up_again_while_going_home_stands(
+    tmp_path: Path, moving: tuple[Session, Heard]
+) -> None:
+    session, _ = moving
+    for words in ("stop", "go home"):
+        session.hear(words)
+        session.pass_s(1.0)
+    assert session.moving
+    session.close()
+    heard = Heard()
+    again = resume_session(opening(tmp_path, heard), session.journal.name)
+    assert not again.moving
+    assert "stopped.stop.home" in heard.topics
+    again.hear("start")
+    assert again.moving
+    again.close()
