@@ -85,6 +85,8 @@ class Session:
         self.recordings = 0
         self.drawn = 0
         self.left = False
+        # Whether who could stop the arm still can: a shell beside it puts its heartbeat here.
+        self.in_touch: Callable[[], bool] = lambda: True
         self._events: deque[events.Event] = deque()
         self._busy = self._trouble_told = False
 
@@ -203,7 +205,10 @@ class Session:
     # Time.
 
     def tick(self) -> None:
-        """Let one control period pass."""
+        """Let one control period pass; the arm stops if nobody could stop it any more."""
+        stopping = self.equipment.stop_flag.is_set()
+        if self.moving and not stopping and not self.in_touch():
+            self.halt(halting.HEARTBEAT)
         for report in self.mover.tick():
             self.happen(events.ArmReported(report))
 

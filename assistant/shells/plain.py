@@ -11,9 +11,11 @@ from collections.abc import Callable, Iterable
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
+from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
+from assistant.shells.beating import beating
 from assistant.shells.beside import Beside, Words
-from assistant.shells.pacing import Ticker
+from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import wrapped
 
@@ -70,6 +72,9 @@ class PlainShell:
         """
         ticker = Ticker(session, self._fail, self._pace)
         if live:
+            heart = Heartbeat(RealClock())
+            session.in_touch = lambda: heart.alive
+            lines = beating(lines, heart.beat, session.raw)
             ticker.start()
         if beside is not None:
             beside.begin(session, lambda words: self._heard(session, ticker, words))
@@ -83,6 +88,8 @@ class PlainShell:
                 if session.left or self._error is not None:
                     break
             if beside is not None and self._error is None:
+                # From here on it is the voice that can stop the arm.
+                session.in_touch = lambda: True
                 beside.finish()
         except KeyboardInterrupt:
             with ticker.lock:

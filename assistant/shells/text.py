@@ -5,6 +5,7 @@ The arm moves beside the typing; a half-typed sentence stays as it is while the 
 
 from __future__ import annotations
 
+import asyncio
 import sys
 from pathlib import Path
 
@@ -18,13 +19,15 @@ from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
+from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
 from assistant.shells.answering import picture, rendered
 from assistant.shells.bar import bar
+from assistant.shells.beating import BEAT_S
 from assistant.shells.beside import Beside, Words
 from assistant.shells.completing import Sayable
 from assistant.shells.keys import Driving
-from assistant.shells.pacing import Ticker
+from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import columns, styled, wrapped
 
@@ -54,6 +57,7 @@ class TextShell:
         self._error: BaseException | None = None
         self._left_known_s: float | None = None
         self._showing = Showing(self._write, keys=True)
+        self._heart = Heartbeat(RealClock())
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
@@ -79,6 +83,7 @@ class TextShell:
             What listens beside the typing.
         """
         self._session = session
+        session.in_touch = lambda: self._heart.alive
         self._ticker = ticker = Ticker(session, self._fail, self._pace)
         words = page("terminal", session.language)
         kept = "" if session.journal.trouble else f" {words['kept']}"
@@ -100,7 +105,7 @@ class TextShell:
             raise self._error
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
-        text = prompt.prompt("you: ").strip()
+        text = prompt.prompt("you: ", pre_run=lambda: self._begin(prompt)).strip()
         if session.left:
             return
         session.raw(text)
@@ -114,6 +119,16 @@ class TextShell:
             if text and not self._showing.take(session, text):
                 session.hear(text)
             self._showing.offer(session)
+            self._heart.beat()
+
+    def _begin(self, prompt: PromptSession[str]) -> None:
+        prompt.app.create_background_task(self._beat())
+
+    async def _beat(self) -> None:
+        """Beat as long as the line can be typed in: a loop that hangs takes no stop."""
+        while True:
+            self._heart.beat()
+            await asyncio.sleep(BEAT_S)
 
     def _prompt(self, session: Session) -> PromptSession[str]:
         return PromptSession(
