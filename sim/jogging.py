@@ -129,7 +129,8 @@ class Jogger:
         gentlest = asked(paces[-1])
         now = seated(now, gentlest[0]) if seats else now
         found: Jog | Refusal = self._checked(now, gentlest)
-        if not now.speed.any() and isinstance(found, Refusal) and found.reason != "speed":
+        hard = isinstance(found, Refusal) and found.reason != "speed"
+        if hard and (paces is STEPS or not now.speed.any()):
             # What even the gentlest motion meets is met by all: the answer is given at once.
             return found
         for pace in paces[:-1]:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from assistant.geometry import Array
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -45,6 +46,11 @@ class DrivenState(Protocol):
 
 class DrivenHand(Protocol):
     """A hand driven by keys, one sample a period."""
+
+    @property
+    def tip(self) -> Array:
+        """The point between the fingers, about which the hand turns, seen from the flange."""
+        ...
 
     @property
     def state(self) -> DrivenState:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -20,15 +20,13 @@ NEAR_MM, NEAR_DEG = 4.0, 3.0
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""
 TURNS = ("q", "e")
-ROWS, COLUMNS = 9, 21
-MARGIN_MM = 60.0
 MIRRORED = {"w": "s", "s": "w", "a": "d", "d": "a"}
 """Facing the robot, the teacher's directions are the other way round."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gap:
-    """How far the hand is from where it grasps, or releases at, a thing.
+    """How far the fingers are from where they grasp, or release at, a thing.
 
     Parameters
     ----------
@@ -51,18 +49,26 @@ class Gap:
         return not self.held and far < NEAR_MM and abs(self.yaw_deg) < NEAR_DEG
 
 
-def gaps(look: ArmLook, scene: Scene) -> tuple[Gap, ...]:
-    """Return the gaps to all things that are somewhere, in the order of the scene."""
+def gaps(look: ArmLook, scene: Scene, tip: Array) -> tuple[Gap, ...]:
+    """Return the gaps to all things that are somewhere, in the order of the scene.
+
+    Parameters
+    ----------
+    look : ArmLook
+    scene : Scene
+    tip : array, shape (7,)
+        The point between the fingers, seen from the flange: the hand turns about it.
+    """
     return tuple(
-        _gap(look, name, compose(look.bodies[name], body.hand_in_body))
+        _gap(look, name, compose(look.bodies[name], body.hand_in_body), tip)
         for name, body in scene.bodies.items()
         if name in look.bodies
     )
 
 
-def _gap(look: ArmLook, name: str, goal: Array) -> Gap:
+def _gap(look: ArmLook, name: str, goal: Array, tip: Array) -> Gap:
     yaw = float(quat_to_rpy(relative(look.hand, goal)[3:])[2])
-    away_mm = 1000.0 * (goal[:3] - look.hand[:3])
+    away_mm = 1000.0 * (compose(goal, tip)[:3] - compose(look.hand, tip)[:3])
     return Gap(name, away_mm, float(np.rad2deg(yaw)), held=look.held == name)
 
 
@@ -100,51 +106,29 @@ def in_the_way(trouble: Refusal | ArmReport, words: Mapping[str, Any], language:
     return str(words["faults"][trouble.text]).format(name=trouble.object)
 
 
-def marks(names: Iterable[str]) -> dict[str, str]:
-    """Return a letter for each name that no other name has."""
-    chosen: dict[str, str] = {}
-    for name in names:
-        letters = (*(letter for letter in name.upper() if letter.isalpha()), *"0123456789")
-        chosen[name] = next((each for each in letters if each not in chosen.values()), "*")
-    return chosen
-
-
-@dataclass(frozen=True, slots=True)
-class Overhead:
-    """A small view from above, of characters; what is far from the teacher is up.
+def step_line(view: Mapping[str, Any], cues: Sequence[str], words: Mapping[str, Any]) -> str:
+    """Return which step is being shown and what to press when the next one begins.
 
     Parameters
     ----------
-    low_mm, high_mm : array, shape (2,)
-        The part of the table that is seen, x and y in the robot's base frame.
-    facing : bool
-        Whether the teacher faces the robot.
+    view : mapping
+        Of the dialogue, with the task's primitives.
+    cues : sequence of str
+        What the teacher said so far to mark transitions.
+    words : mapping
+        Of driving.
     """
-
-    low_mm: Array
-    high_mm: Array
-    facing: bool
-
-    @classmethod
-    def around(cls, look: ArmLook, all_gaps: Sequence[Gap], *, facing: bool) -> Overhead:
-        """Return the view that holds the hand and all it can go to, with some margin."""
-        here = 1000.0 * look.hand[:2]
-        points = np.array([here, *(here + gap.xyz_mm[:2] for gap in all_gaps)])
-        return cls(points.min(axis=0) - MARGIN_MM, points.max(axis=0) + MARGIN_MM, facing)
-
-    def drawn(self, look: ArmLook, all_gaps: Sequence[Gap]) -> tuple[str, ...]:
-        """Return lines; ``+`` is the hand, over a letter it is where it grasps or lets go."""
-        here = 1000.0 * look.hand[:2]
-        letters = marks(gap.name for gap in all_gaps)
-        picture = [["."] * COLUMNS for _ in range(ROWS)]
-        spots = [(letters[gap.name], here + gap.xyz_mm[:2]) for gap in all_gaps if not gap.held]
-        for mark, point in (*spots, ("+", here)):
-            row, column = self._cell(point)
-            picture[row][column] = mark
-        return tuple(" ".join(line) for line in picture)
-
-    def _cell(self, point: Array) -> tuple[int, int]:
-        # Seen from behind the robot, x grows upward and y to the left.
-        share = (self.high_mm - point) / (self.high_mm - self.low_mm)
-        share = np.clip(1.0 - share if self.facing else share, 0.0, 1.0)
-        return round(float(share[0]) * (ROWS - 1)), round(float(share[1]) * (COLUMNS - 1))
+    names = [str(leaf["name"]) for leaf in view["task"]["primitives"]]
+    keys, told = {cue: key for key, cue in words["cues"].items()}, words["steps"]
+    first = str(words["cues"]["1"])
+    # Who does not mark the beginning marks the first transition first.
+    number = len(cues) + (not cues or first not in cues[0].lower())
+    if not names:
+        return ""
+    if not cues:
+        return str(told["begin"]).format(name=names[0], key=keys[first])
+    if number >= len(names):
+        return str(told["last"]).format(number=len(names), count=len(names), name=names[-1])
+    return str(told["now"]).format(
+        number=number, count=len(names), name=names[number - 1], then=names[number]
+    )

@@ -2,7 +2,7 @@
 
 Every key drives; Enter opens a line to say something ("then", "finished"). The way to each
 thing is shown all the time, in words and keys, so that nobody has to know coordinates. The
-keys shown can be clicked, the mouse wheel lifts and lowers.
+keys shown can be clicked; the mouse drags the hand in either picture, its wheel lifts and lowers.
 """
 
 from __future__ import annotations
@@ -28,8 +28,9 @@ from assistant.language.hints import page
 from assistant.ports import HandSample
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
-from assistant.shells.driving_view import Overhead, gap_line, gaps, in_the_way, key_for, marks
-from assistant.shells.wrapping import columns
+from assistant.shells.driving_screen import Screen
+from assistant.shells.driving_view import key_for
+from assistant.shells.gripping import Grip
 
 ARROWS = {
     Keys.Up: "w",
@@ -58,6 +59,27 @@ class Due:
         return True
 
 
+class View(FormattedTextControl):
+    """Text whose mouse events are first offered to someone else.
+
+    Parameters
+    ----------
+    text : callable
+    take : callable
+        Returns whether it took an event.
+    """
+
+    def __init__(
+        self, text: Callable[[], StyleAndTextTuples], take: Callable[[MouseEvent], bool]
+    ) -> None:
+        super().__init__(text)
+        self._take = take
+
+    def mouse_handler(self, mouse_event: MouseEvent) -> object:
+        """Handle one event."""
+        return None if self._take(mouse_event) else super().mouse_handler(mouse_event)
+
+
 class Driving:
     """One demonstration by keys.
 
@@ -83,10 +105,8 @@ class Driving:
         self._due = Due(every_s)
         self._words: dict[str, Any] = page("terminal", session.language)["driving"]
         self._cues: dict[str, str] = self._words["cues"]
-        self._facing = session.dialogue_view.get("facing") == "facing"
-        look = session.mover.look
-        near = gaps(look, session.mover.scene)
-        self._overhead = Overhead.around(look, near, facing=self._facing)
+        self._screen = Screen(session, hand, self._words, self.press)
+        self._grip = Grip(hand, lambda: self._screen.areas)
         self._typing = False
         self._told = ""
         self._error: BaseException | None = None
@@ -129,67 +149,18 @@ class Driving:
         typing = Condition(lambda: self._typing)
         before = BeforeInput(str(self._words["say"]))
         line = Window(BufferControl(self._line, [before]), height=1)
-        status = Window(
-            FormattedTextControl(self._status), wrap_lines=True, dont_extend_height=True
-        )
-        return Layout(HSplit([status, ConditionalContainer(line, typing)]), focused_element=None)
+        view = Window(View(self._status, self._mouse), dont_extend_height=True)
+        return Layout(HSplit([view, ConditionalContainer(line, typing)]), focused_element=None)
 
     def _status(self) -> StyleAndTextTuples:
-        return [*self._help(), ("", "\n"), *self._view()]
+        return self._screen.fragments(self._told, dragging=self._grip.holds)
 
-    def _help(self) -> StyleAndTextTuples:
-        """Return the keys with what they do, filled into lines; each can be clicked."""
-        told: StyleAndTextTuples = []
-        width, used = columns() - 1, 0
-        for key, does in self._words["keys"].items():
-            size = len(key) + len(does) + 4
-            if used and used + size > width:
-                told.append(("", "\n"))
-                used = 0
-            used += size
-            told += [
-                ("bold", f" {key}", self._click(key)),
-                ("ansibrightblack", f" {does}  ", self._click(key)),
-            ]
-        return [*told, ("ansibrightblack", f" {self._words['arrows']}")]
-
-    def _click(self, key: str) -> Callable[[MouseEvent], None]:
-        def clicked(event: MouseEvent) -> None:
-            if event.event_type is MouseEventType.MOUSE_UP:
-                self.press(key)
-            elif event.event_type in WHEEL:
-                self.press(WHEEL[event.event_type])
-
-        return clicked
-
-    def _view(self) -> StyleAndTextTuples:
-        session, words = self._session, self._words
-        look = session.mover.look
-        near = gaps(look, session.mover.scene)
-        letters = marks(gap.name for gap in near)
-        told: StyleAndTextTuples = [
-            ("", f"   {line}\n") for line in self._overhead.drawn(look, near)
-        ]
-        for gap in near:
-            way = gap_line(gap, words, facing=self._facing, holding=bool(look.held))
-            told += [("bold", f" {letters[gap.name]} "), ("", f"{way}\n")]
-        doing = (str(words["holding"]).format(name=look.held) if look.held else "", self._told)
-        shown_s = session.watching.now_s if session.watching is not None else 0.0
-        state = (
-            str(words["hand"]).format(mm=round(1000.0 * look.gripper_m)),
-            str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
-            str(words["shown"]).format(seconds=f"{shown_s:.1f}"),
-            *doing,
-        )
-        told.append(("ansicyan", " + " + "   ".join(one for one in state if one)))
-        return [*told, *self._warning()]
-
-    def _warning(self) -> StyleAndTextTuples:
-        state, words = self._hand.state, self._words
-        warning = str(words["clutched"]) if state.clutched else ""
-        if state.blocked:
-            warning = in_the_way(state.blocked, words, self._session.language)
-        return [("ansiyellow", f"\n   {warning}")] if warning else []
+    def _mouse(self, event: MouseEvent) -> bool:
+        """Take what the mouse does beyond clicking a key."""
+        if event.event_type in WHEEL:
+            self.press(WHEEL[event.event_type])
+            return True
+        return self._grip.take(event)
 
     def press(self, key: str) -> None:
         """Take a key as it is named in the list of keys."""
@@ -206,7 +177,7 @@ class Driving:
     def _move(self, key: str) -> None:
         key = key if key in NAMED else key.lower()
         name = next((name for name, each in NAMED.items() if each == key), key)
-        if self._hand.press(key_for(NAMED.get(key, key), facing=self._facing)):
+        if self._hand.press(key_for(NAMED.get(key, key), facing=self._screen.facing)):
             self._told = str(self._words["keys"].get(name, ""))
         else:
             shown = key if key.isprintable() else "?"

@@ -25,7 +25,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import Arm, HandSample, Planner
 from sim.a465 import GRIPPER
-from sim.driving import Driven
+from sim.driving import TIP, Driven
 from sim.hands.keymap import (
     CLOSE,
     CLUTCH,
@@ -36,6 +36,7 @@ from sim.hands.keymap import (
     TURNS,
     directions,
     stepped,
+    unit,
 )
 from sim.jogging import Jog, Jogger, joint_path
 from sim.kinematic_arm import between_pads
@@ -47,6 +48,8 @@ SPEED_M_S, TURN_RAD_S = 0.10, 0.5
 SLOWEST, FASTEST, STEP = 0.1, 2.0, 1.25
 STEP_M, STEP_RAD = 0.005, float(np.deg2rad(2.0))
 """What a tap does at the usual speed."""
+AFAR_M = 0.05
+"""A goal farther away is gone towards, not planned to its end."""
 RENEWED = 5
 """A held key's motion is planned anew after so many ticks; it would end at rest otherwise."""
 SPARED = 0.98
@@ -93,12 +96,17 @@ class KeyedHand:
         self._speed, self._clutched, self._held = 1.0, False, False
         self._blocked: Trouble = None
         self._wanted = self._said = ""
-        self._over = self._acting = self._braking = False
+        self._over = self._acting = self._braking = self._afar = False
         self._goal: Array | None = None
         self._jog: Jog | None = None
         self._asked: object = None
         self._at = self._due = 0
         self._rest: Driven | None = None
+
+    @property
+    def tip(self) -> Array:
+        """The point between the fingers, about which the hand turns, seen from the flange."""
+        return TIP
 
     @property
     def state(self) -> KeyedState:
@@ -198,7 +206,7 @@ class KeyedHand:
         self._rest = self._jog.at(len(self._jog.q)) if whole and self._jog is not None else None
         if not whole:
             self._let_go()
-        elif self._goal is not None and self._goal.tobytes() == self._asked:
+        elif self._goal is not None and self._goal.tobytes() == self._asked and not self._afar:
             self._goal = None
         self._acting = self._braking = False
         self._jog = self._asked = None
@@ -214,7 +222,7 @@ class KeyedHand:
             self._goal, asked = None, keys
         elif self._goal is not None and not self._wanted:
             asked = self._goal.tobytes()
-        renewed = bool(keys) and self._at >= self._due
+        renewed = (bool(keys) or self._afar) and self._at >= self._due
         if asked != self._asked or renewed:
             self._plan(keys, asked)
 
@@ -228,8 +236,11 @@ class KeyedHand:
         now = self._resting() if self._jog is None else self._jog.at(self._at)
         most = min(SPEED_M_S * self._speed, SPARED * self._scene.hand_speed_m_s)
         turning = TURN_RAD_S * self._speed
-        if keys:
-            move, turn = directions(keys)
+        way = np.zeros(3) if self._goal is None else self._goal[:3] - now.tip[:3]
+        self._afar = not keys and float(np.linalg.norm(way)) > AFAR_M
+        if keys or self._afar:
+            # Wherever the goal is, the hand goes as far as the way is free.
+            move, turn = directions(keys) if keys else (unit(way), np.zeros(3))
             speed = np.concatenate([most * move, turning * turn])
             found = jogger.towards(now, speed, seats=self._fresh)
         elif self._goal is not None:

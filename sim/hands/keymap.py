@@ -31,7 +31,7 @@ def directions(keys: Iterable[str]) -> tuple[Array, Array]:
     """Return the unit directions, shape (3,) each, that keys move and turn in together."""
     move = sum((np.array(MOVES[k]) for k in keys if k in MOVES), np.zeros(3))
     turn = sum((np.array(TURNS[k]) for k in keys if k in TURNS), np.zeros(3))
-    return _unit(move), _unit(turn)
+    return unit(move), unit(turn)
 
 
 def stepped(tip: Array, move: Array, turn: Array) -> Array:
@@ -39,6 +39,7 @@ def stepped(tip: Array, move: Array, turn: Array) -> Array:
     return np.concatenate([tip[:3] + move, quat_multiply(quat_from_rotvec(turn), tip[3:])])
 
 
-def _unit(vector: Array) -> Array:
+def unit(vector: Array) -> Array:
+    """Return the direction of a vector, shape (3,); nothing of nothing."""
     length = float(np.linalg.norm(vector))
     return np.array(vector / length, dtype=float) if length > 0 else np.zeros(3)

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -9,9 +10,11 @@ import pytest
 from assistant.files.finding import find_setups
 from assistant.files.scenes import find_scene
 from assistant.language.hints import page
+from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
-from assistant.shells.driving_view import Gap, Overhead, gap_line, gaps, key_for, marks
+from assistant.shells.driving_view import Gap, gap_line, gaps, in_the_way, key_for, step_line
+from sim.driving import TIP
 from sim.kinematic_arm import KinematicArm
 
 WORDS = page("terminal")["driving"]
@@ -28,7 +31,7 @@ def table() -> tuple[ArmLook, Scene]:
 
 def test_the_way_is_told_in_words_and_keys(table: tuple[ArmLook, Scene]) -> None:
     look, scene = table
-    block, target = gaps(look, scene)
+    block, target = gaps(look, scene, TIP)
     told = gap_line(block, WORDS, facing=False, holding=False)
     assert told.startswith("to the block   15")
     assert "forward (w)" in told
@@ -38,7 +41,7 @@ def test_the_way_is_told_in_words_and_keys(table: tuple[ArmLook, Scene]) -> None
 
 
 def test_facing_the_robot_its_left_is_my_right(table: tuple[ArmLook, Scene]) -> None:
-    block = gaps(*table)[0]
+    block = gaps(*table, TIP)[0]
     told = gap_line(block, WORDS, facing=True, holding=False)
     assert "right (d)" in told
     assert "back (s)" in told
@@ -50,48 +53,58 @@ def test_facing_the_robot_its_left_is_my_right(table: tuple[ArmLook, Scene]) -> 
 def test_going_the_way_told_leads_there(table: tuple[ArmLook, Scene]) -> None:
     look, scene = table
     goal = look.hand.copy()
-    goal[:3] += gaps(look, scene)[0].xyz_mm / 1000.0
-    there = gaps(replace(look, hand=goal), scene)[0]
+    goal[:3] += gaps(look, scene, TIP)[0].xyz_mm / 1000.0
+    there = gaps(replace(look, hand=goal), scene, TIP)[0]
     assert there.there
     assert "c closes the hand" in gap_line(there, WORDS, facing=False, holding=False)
     assert "o opens the hand" in gap_line(there, WORDS, facing=False, holding=True)
-    held = gaps(replace(look, held="block"), scene)[0]
+    held = gaps(replace(look, held="block"), scene, TIP)[0]
     assert "in the hand" in gap_line(held, WORDS, facing=False, holding=True)
-
-
-@pytest.mark.parametrize("facing", [False, True])
-def test_the_view_from_above_has_the_hand_and_every_place(
-    table: tuple[ArmLook, Scene], facing: bool
-) -> None:
-    look, scene = table
-    near = gaps(look, scene)
-    lines = Overhead.around(look, near, facing=facing).drawn(look, near)
-    at = {
-        mark: (row, line.index(mark))
-        for row, line in enumerate(lines)
-        for mark in "BT+"
-        if mark in line
-    }
-    assert set(at) == {"B", "T", "+"}
-    # The block is left of the target and farther from the robot's base than the hand.
-    assert (at["B"][1] < at["T"][1]) is not facing
-    assert (at["B"][0] < at["+"][0]) is not facing
-
-
-def test_a_hand_off_the_view_stays_at_its_edge(table: tuple[ArmLook, Scene]) -> None:
-    look, scene = table
-    view = Overhead.around(look, gaps(look, scene), facing=False)
-    away = look.hand.copy()
-    away[:2] += 5.0
-    assert any("+" in line for line in view.drawn(replace(look, hand=away), ()))
-
-
-def test_every_thing_has_a_letter_of_its_own() -> None:
-    told = marks(["block", "base", "b", "block b"])
-    assert len(set(told.values())) == 4
-    assert told["block"] == "B"
 
 
 def test_a_gap_of_nothing_is_there() -> None:
     assert Gap("block", np.zeros(3), 0.0).there
     assert not Gap("block", np.zeros(3), 10.0).there
+
+
+VIEW = {"task": {"primitives": [{"name": name} for name in ("approach", "grasp", "lift")]}}
+
+
+def test_the_step_being_shown_is_told_with_the_key_for_the_next() -> None:
+    def told(*cues: str) -> str:
+        return step_line(VIEW, cues, WORDS)
+
+    assert told() == "press 1 and show: approach"
+    assert told("first step").startswith("step 1 of 3: approach")
+    assert told("first step").endswith("n when you go on to: grasp")
+    assert told("first step", "then").startswith("step 2 of 3: grasp")
+    # Who says nothing at the beginning marks the first transition first.
+    assert told("then") == told("first step", "then")
+    last = "step 3 of 3: lift   Esc when it is done"
+    assert told("next step", "next step") == told("first step", "n", "n", "n") == last
+    assert step_line({"task": {"primitives": []}}, (), WORDS) == ""
+
+
+def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
+    refusal = Refusal("joint_limit", "next step", "joint 3")
+    told = in_the_way(refusal, WORDS, "english")
+    assert told == "I do not go: at the next step joint 3 would pass its limit."
+    slipped = ArmReport("unmet", 1.0, text="held", object="block")
+    assert "block slipped" in in_the_way(slipped, WORDS, "english")
+
+
+@pytest.mark.parametrize("reason", ["reach", "joint_limit", "collision", "speed"])
+@pytest.mark.parametrize("language", ["english", "german"])
+def test_every_reason_has_a_sentence(reason: Any, language: str) -> None:
+    told = in_the_way(Refusal(reason, "next step", "joint 3"), WORDS, language)
+    assert len(told.split()) > 3
+    assert "_" not in told
+
+
+@pytest.mark.parametrize("language", ["english", "german"])
+def test_every_fault_and_key_has_words(language: str) -> None:
+    words = page("terminal", language)["driving"]
+    assert set(words["faults"]) == {"held", "contact", "tracking"}
+    shown = " ".join(words["rows"].values()).split()
+    assert sorted(shown) == sorted(words["keys"])
+    assert set(words["headings"]) == {*words["rows"], "mouse"}

@@ -196,3 +196,18 @@ def test_what_is_no_longer_wanted_is_braked_within_a_quarter_second(hand: KeyedH
     later = held(hand, "r", 1)[-1]
     assert later[1] == pytest.approx(after[1], abs=1e-5)
     assert after[2] > before[2] + 0.01
+
+
+def test_led_beyond_what_is_free_the_hand_goes_as_far_as_it_can_and_says_so(
+    hand: KeyedHand,
+) -> None:
+    begin = hand.tick().pose
+    hand.lead((0.0, 0.0, -1.0))
+    for _ in range(400):
+        pose = hand.tick().pose
+        if hand.state.blocked:
+            break
+    assert isinstance(hand.state.blocked, Refusal)
+    assert begin[2] - pose[2] > 0.1
+    assert np.max(np.abs((pose - begin)[:2])) < 1e-4
+    assert np.array_equal([hand.tick().pose for _ in range(20)][-1], pose)

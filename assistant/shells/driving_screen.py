@@ -1,0 +1,168 @@
+"""What is on the screen while the hand is driven: keys, pictures, the plan's step, the ways."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from prompt_toolkit.formatted_text import StyleAndTextTuples
+from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
+
+from assistant.geometry import compose
+from assistant.ports import ArmLook
+from assistant.session.equipment import DrivenHand
+from assistant.session.loop import Session
+from assistant.shells.driving_picture import Sight, drawn, marks, seen_mm, sights
+from assistant.shells.driving_view import gap_line, gaps, in_the_way, step_line
+from assistant.shells.gripping import CHARACTERS, Area
+from assistant.shells.wrapping import columns, wrapped
+
+QUIET, STRONG = "ansibrightblack", "bold"
+INDENT, APART = 1, 3
+NARROW, WIDE, LOW, HIGH, OTHERS = 12, 24, 7, 15, 17
+"""Bounds of a picture's columns and rows, and how many lines are about for the rest."""
+Lines = list[StyleAndTextTuples]
+
+
+class Screen:
+    """Draws the view.
+
+    Parameters
+    ----------
+    session : Session
+        Watching.
+    hand : DrivenHand
+    words : mapping
+        Of driving, from the phrasebook's page for the terminal.
+    press : callable
+        Takes a key that was clicked.
+    """
+
+    def __init__(
+        self,
+        session: Session,
+        hand: DrivenHand,
+        words: Mapping[str, Any],
+        press: Callable[[str], None],
+    ) -> None:
+        self._session, self._hand, self._words = session, hand, words
+        self._press = press
+        self.facing = session.dialogue_view.get("facing") == "facing"
+        self.areas: tuple[Area, ...] = ()
+        self._sights = self._chosen(session.mover.look)
+
+    def _chosen(self, look: ArmLook) -> tuple[Sight, Sight]:
+        scene, tip = self._session.mover.scene, self._hand.tip
+        bodies = [(look.bodies[n], b) for n, b in scene.bodies.items() if n in look.bodies]
+        goals = [compose(compose(pose, body.hand_in_body), tip) for pose, body in bodies]
+        seen = seen_mm(look, [compose(look.hand, tip), *goals], scene)
+        size = shutil.get_terminal_size()
+        across = (columns() - INDENT - APART) // (2 * CHARACTERS)
+        rows = min(max(size.lines - OTHERS, LOW), HIGH)
+        return sights(seen, rows, min(max(across, NARROW), WIDE), facing=self.facing)
+
+    def fragments(self, told: str, *, dragging: bool) -> StyleAndTextTuples:
+        """Return the whole view.
+
+        Parameters
+        ----------
+        told : str
+            What the last key did.
+        dragging : bool
+            Whether the mouse holds the hand.
+        """
+        look = self._session.mover.look
+        lines = self._keys()
+        first = len(lines) + 1
+        self.areas = tuple(
+            Area(sight, first, INDENT + k * (CHARACTERS * sight.columns + APART))
+            for k, sight in enumerate(self._sights)
+        )
+        lines += self._pictures(look)
+        lines += self._ways(look)
+        lines += self._state(look, told)
+        lines += self._warning(dragging=dragging)
+        return [part for line in lines for part in (*line, ("", "\n"))][:-1]
+
+    def _keys(self) -> Lines:
+        """Return the keys with what they do, in rows; each can be clicked."""
+        words, lines = self._words, []
+        for row, keys in words["rows"].items():
+            lines += self._row(str(words["headings"][row]), keys.split())
+        lines[0].append((QUIET, f" {words['arrows']}"))
+        heading = self._heading(str(words["headings"]["mouse"]))
+        return [*lines, [heading, (QUIET, f" {words['mouse']}")]]
+
+    def _heading(self, text: str) -> tuple[str, str]:
+        wide = max(len(str(one)) for one in self._words["headings"].values())
+        return QUIET, f" {text:{wide}}"
+
+    def _row(self, heading: str, keys: list[str]) -> Lines:
+        lines: Lines = [[self._heading(heading)]]
+        used = begin = len(lines[0][0][1])
+        for key in keys:
+            does = str(self._words["keys"][key])
+            size = len(key) + len(does) + 4
+            if used + size > columns():
+                lines.append([("", " " * begin)])
+                used = begin
+            used += size
+            lines[-1] += [
+                (STRONG, f"  {key}", self._click(key)),
+                (QUIET, f" {does}", self._click(key)),
+            ]
+        return lines
+
+    def _click(self, key: str) -> Callable[[MouseEvent], None]:
+        def clicked(event: MouseEvent) -> None:
+            if event.event_type is MouseEventType.MOUSE_UP:
+                self._press(key)
+
+        return clicked
+
+    def _pictures(self, look: ArmLook) -> Lines:
+        scene, tip = self._session.mover.scene, self._hand.tip
+        left, right = (drawn(sight, look, scene, tip) for sight in self._sights)
+        wide = CHARACTERS * self._sights[0].columns
+        pad, gap = " " * INDENT, " " * APART
+        titles = f"{self._words['above']:{wide}}{gap}{self._words['side']}"
+        lines: Lines = [[(QUIET, pad + titles)]]
+        for one, other in zip(left, right, strict=True):
+            lines.append([("", f"{pad}{one:{wide}}{gap}{other:{wide}}")])
+        return lines
+
+    def _ways(self, look: ArmLook) -> Lines:
+        scene, words = self._session.mover.scene, self._words
+        letters = marks(scene.bodies)
+        told: list[str] = []
+        for gap in gaps(look, scene, self._hand.tip):
+            way = gap_line(gap, words, facing=self.facing, holding=bool(look.held))
+            told += wrapped(way, columns(), before=f" {letters[gap.name]} ")
+        return [[("", line)] for line in told]
+
+    def _state(self, look: ArmLook, told: str) -> Lines:
+        session, words = self._session, self._words
+        watching = session.watching
+        cues = [cue.say for cue in watching.cues] if watching is not None else []
+        shown_s = watching.now_s if watching is not None else 0.0
+        state = (
+            str(words["hand"]).format(mm=round(1000.0 * look.gripper_m)),
+            str(words["holding"]).format(name=look.held) if look.held else "",
+            str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
+            str(words["shown"]).format(seconds=f"{shown_s:.1f}"),
+            told,
+        )
+        step = step_line(session.dialogue_view, cues, words)
+        lines = [(STRONG, line) for line in wrapped(step, columns(), before=" ")] if step else []
+        doing = wrapped("   ".join(filter(None, state)), columns(), before=" ")
+        return [[one] for one in (*lines, *(("ansicyan", line) for line in doing))]
+
+    def _warning(self, *, dragging: bool) -> Lines:
+        state, words = self._hand.state, self._words
+        warning = str(words["dragging"]) if dragging else ""
+        if state.clutched:
+            warning = str(words["clutched"])
+        if state.blocked is not None:
+            warning = in_the_way(state.blocked, words, self._session.language)
+        return [[("ansiyellow", line)] for line in wrapped(warning, columns(), before=" ")]
