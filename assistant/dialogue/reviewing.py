@@ -9,7 +9,7 @@ from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, 
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.introduction import with_roles
-from assistant.dialogue.naming import alike
+from assistant.dialogue.naming import alike, is_no_step
 from assistant.dialogue.sketch import Sketch, at, inserted, names, put
 from assistant.dialogue.state import (
     AwaitingShow,
@@ -157,6 +157,8 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
         return tell(dialogue, line("error", "not_now"))
     if head.reason == "never_introduced":
         return _introduced_late(dialogue, value, float(str(head.facts.get("from_s", 0.0))))
+    if is_no_step(value, dialogue.language):
+        return next_question(dialogue, state)
     nodes = [part.primitive for part in _episodes(dialogue) if part.primitive]
     if alike(value, nodes):
         return tell(dialogue, line("told", "step_was_seen", name=value))

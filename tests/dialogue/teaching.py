@@ -118,6 +118,8 @@ class Lessons:
     dialogue: Dialogue = field(default_factory=begin)
     effects: tuple[fx.Effect, ...] = ()
     every: list[fx.Effect] = field(default_factory=list)
+    steps: tuple[str, ...] = STEPS
+    groups: tuple[str, str] = ("pick up object", "place object")
 
     def happen(self, event: ev.Event) -> Lessons:
         self.dialogue, self.effects = step(self.dialogue, event)
@@ -155,11 +157,11 @@ class Lessons:
     def introduce(self) -> Lessons:
         self.open()
         self.tell("pick and place").tell("the block rests on the target")
-        self.tell(("block", "target")).tell(2).tell("pick up object").tell("place object")
+        self.tell(("block", "target")).tell(2).tell(self.groups[0]).tell(self.groups[1])
         self.tell(3)
-        for name in STEPS[:3]:
+        for name in self.steps[:3]:
             self.tell(name)
-        self.tell(2).tell(STEPS[3]).tell(STEPS[4])
+        self.tell(2).tell(self.steps[3]).tell(self.steps[4])
         if self.asked == "subtask_count":
             self.tell(0)
         return self
@@ -170,7 +172,7 @@ class Lessons:
     def learned(self, *questions: Question) -> Lessons:
         self.confirmed().hear(acts.Start()).hear(acts.Approve())
         self.happen(ev.Shown(demonstration()))
-        return self.happen(ev.Learned(lesson(questions)))
+        return self.happen(ev.Learned(lesson(questions, self.steps)))
 
     def ready(self) -> Lessons:
         return self.learned().hear(acts.Affirm())
