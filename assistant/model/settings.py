@@ -23,7 +23,7 @@ class SafetySettings:
     confirm_beyond_deg: float = 10.0
     act_confidence: float = 0.85
     """Below this confidence the robot reads back its best guess and asks."""
-    heartbeat_s: float = 1.0
+    heartbeat_s: float = 2.0
     """A shell that gives no sign of life for so long, while the arm moves, is lost."""
 
 
