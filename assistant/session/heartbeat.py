@@ -24,13 +24,25 @@ class Heartbeat:
 
     def __init__(self, clock: Clock, within_s: float = SAFETY.heartbeat_s) -> None:
         self._clock, self._within_s = clock, within_s
-        self._last_s = clock.now_s()
+        self._last_s = self._looked_s = clock.now_s()
+        self._missed: tuple[float, float] | None = None
 
     def beat(self) -> None:
         """Tell that the loop goes round; safe from any thread."""
-        self._last_s = self._clock.now_s()
+        now_s = self._clock.now_s()
+        if now_s - self._last_s > self._within_s:
+            self._missed = (self._last_s, now_s)
+        self._last_s = now_s
 
-    @property
     def alive(self) -> bool:
-        """Whether the last beat is not too long ago."""
-        return self._clock.now_s() - self._last_s <= self._within_s
+        """Return whether the loop has beaten all the time since this was last asked.
+
+        A program that was suspended as a whole is back before anyone can look: that it was away
+        counts, if there was something to look after when it went.
+        """
+        now_s = self._clock.now_s()
+        looked_s, self._looked_s = self._looked_s, now_s
+        missed, self._missed = self._missed, None
+        if missed is not None and missed[0] <= looked_s < missed[1]:
+            return False
+        return now_s - self._last_s <= self._within_s

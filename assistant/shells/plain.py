@@ -73,7 +73,7 @@ class PlainShell:
         ticker = Ticker(session, self._fail, self._pace)
         if live:
             heart = Heartbeat(RealClock())
-            session.in_touch = lambda: heart.alive
+            session.in_touch = heart.alive
             lines = beating(lines, heart.beat, session.raw)
             ticker.start()
         if beside is not None:

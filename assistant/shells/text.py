@@ -83,7 +83,7 @@ class TextShell:
             What listens beside the typing.
         """
         self._session = session
-        session.in_touch = lambda: self._heart.alive
+        session.in_touch = self._heart.alive
         self._ticker = ticker = Ticker(session, self._fail, self._pace)
         words = page("terminal", session.language)
         kept = "" if session.journal.trouble else f" {words['kept']}"

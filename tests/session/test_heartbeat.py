@@ -48,11 +48,30 @@ def moving(tmp_path: Path) -> Iterator[tuple[Session, Heard]]:
 def test_a_heart_is_alive_for_as_long_as_it_says(clock: HandClock) -> None:
     heart = Heartbeat(clock)
     clock.pass_s(SAFETY.heartbeat_s)
-    assert heart.alive
+    assert heart.alive()
     clock.pass_s(0.01)
-    assert not heart.alive
+    assert not heart.alive()
     heart.beat()
-    assert heart.alive
+    assert heart.alive()
+
+
+def test_a_heart_that_was_away_while_it_was_watched_was_lost(clock: HandClock) -> None:
+    heart = Heartbeat(clock)
+    assert heart.alive()
+    clock.pass_s(5.0)
+    heart.beat()
+    assert not heart.alive()
+    assert heart.alive()
+
+
+def test_who_thinks_for_long_at_rest_is_not_lost_when_it_moves(clock: HandClock) -> None:
+    heart = Heartbeat(clock)
+    assert heart.alive()
+    clock.pass_s(0.5)
+    heart.beat()
+    clock.pass_s(30.0)
+    heart.beat()
+    assert heart.alive()
 
 
 def test_an_arm_whose_shell_hangs_stops_and_tells_why(
@@ -60,7 +79,7 @@ def test_an_arm_whose_shell_hangs_stops_and_tells_why(
 ) -> None:
     session, heard = moving
     heart = Heartbeat(clock)
-    session.in_touch = lambda: heart.alive
+    session.in_touch = heart.alive
     for _ in range(200):
         clock.pass_s(TICK_S)
         heart.beat()
@@ -80,7 +99,7 @@ def test_after_a_lost_heartbeat_only_a_new_start_moves(
 ) -> None:
     session, heard = moving
     heart = Heartbeat(clock)
-    session.in_touch = lambda: heart.alive
+    session.in_touch = heart.alive
     clock.pass_s(10.0)
     session.rest()
     assert session.dialogue.arm == "stopped"
