@@ -37,6 +37,8 @@ from assistant.model.settings import SafetySettings
 from assistant.model.teacher_acts import act_to_json
 
 SAFETY = SafetySettings()
+MOST_GUESSES = 2
+"""Guesses read back one after the other before the robot tells what can be said."""
 _LAST = (acts.NewSetup, acts.Start, acts.Resume, acts.Again, acts.Quit)
 
 
@@ -108,14 +110,24 @@ def _doubted(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Word
     """Read back the best guess and ask; never act on it."""
     if isinstance(dialogue.state, Watching) and not _ends(meant):
         return dialogue, ()
-    if all(isinstance(act, acts.Unknown) for act in meant) or dialogue.misses:
+    if all(isinstance(act, acts.Unknown) for act in meant) or not _fresh_guess(dialogue, meant):
         return misunderstood(dialogue)
     told = [act_to_json(act) for act in meant]
     guess = line("confirm", "did_you_mean", asked="did_you_mean", acts=told)
     doubting = replace(
-        dialogue, misses=1, pending=Pending("did_you_mean", guess, meant, words.text)
+        dialogue,
+        misses=dialogue.misses + 1,
+        pending=Pending("did_you_mean", guess, meant, words.text),
     )
     return ask(doubting)
+
+
+def _fresh_guess(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
+    """Whether a guess may be read back: the first, or a new one after one that was passed over."""
+    pending = dialogue.pending
+    if pending is None or pending.line.topic != "did_you_mean":
+        return not dialogue.misses
+    return dialogue.misses < MOST_GUESSES and pending.acts != meant
 
 
 def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:

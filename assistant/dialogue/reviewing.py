@@ -47,7 +47,10 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
         slots = {**event.facts, "reason": event.why_not}
         return tell(waiting, RobotAct("error", f"not_learned.{event.why_not}", slots=slots))
     lesson = carried_over(known.lesson, event.lesson)
-    after = changed(dialogue, "learned", with_lesson(known, lesson))
+    # A lesson follows from what the teacher did last: undo takes back that, and the lesson too.
+    after = replace(
+        dialogue, known=with_lesson(known, lesson), clean=(), unsaved=True, agreed=False
+    )
     questions = open_questions(lesson)
     reviewing = replace(after, state=Reviewing(questions), pace="slow")
     return tell(reviewing, read_back(after.known))

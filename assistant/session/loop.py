@@ -14,6 +14,7 @@ from typing import Any
 
 from assistant.dialogue import events
 from assistant.dialogue.machine import begin, listening, public_view, step
+from assistant.dialogue.referring import by_name
 from assistant.errors import BadInput
 from assistant.files.library import Library
 from assistant.language.speech import phrase
@@ -134,7 +135,7 @@ class Session:
         """
         if self.listening.moving and has_stop_word(text, self.language):
             return Understanding((Stop(),), 1.0, text)
-        meant = understand(text, self.listening, self.language)
+        meant = understand(by_name(self.dialogue, text), self.listening, self.language)
         return replace(meant, confidence=min(meant.confidence, sure))
 
     def hear(

@@ -200,3 +200,9 @@ class Lessons:
 
     def run(self) -> Lessons:
         return self.moving().finish()
+
+    def agreed(self) -> Lessons:
+        self.ready().run().hear(acts.Affirm())
+        self.happen(ev.Arranged(moved("two", 30.0), SCENE))
+        self.happen(ev.Checked(self.dialogue.known.setup, None, 9.0))
+        return self.run().hear(acts.Approve())

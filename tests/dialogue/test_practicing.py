@@ -1,0 +1,101 @@
+"""Checks, motion, halts and agreement in practice."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from assistant.dialogue import effects as fx
+from assistant.dialogue import events as ev
+from assistant.dialogue.machine import public_view
+from assistant.model import teacher_acts as acts
+from assistant.model.motion import Refusal
+from assistant.model.scene import Obstacle
+from tests.dialogue.teaching import (
+    SCENE,
+    SETUP,
+    Lessons,
+)
+
+
+def test_a_refusal_is_told_and_nothing_moves() -> None:
+    teacher = Lessons().ready().hear(acts.Start())
+    refusal = Refusal("joint_limit", "target", "joint 5", 12.3, "deg", "turn")
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    assert teacher.topics[0] == "refuse.joint_limit"
+    assert not teacher.did(fx.Move)
+    assert teacher.asked == "ready"
+    assert teacher.hear(acts.Explain("why did you refuse")).topics[0] == "explain.joint_limit"
+
+
+def test_stop_halts_latches_and_only_a_start_moves_again() -> None:
+    teacher = Lessons().ready().moving()
+    assert teacher.hear(acts.Stop()).effects[0] == fx.Halt("stop")
+    assert teacher.topics == ["stopped.stop"]
+    assert not teacher.hear(acts.Resume()).did(fx.GoOn)
+    assert not teacher.hear(acts.Affirm()).did(fx.GoOn)
+    assert fx.GoOn(anew=True) in teacher.hear(acts.Start()).effects
+
+
+def test_a_stop_from_outside_is_told() -> None:
+    teacher = Lessons().ready().moving()
+    assert teacher.happen(ev.Halted("Ctrl-C")).topics == ["stopped.stop"]
+    assert public_view(teacher.dialogue)["motion"] == "stopped"
+
+
+def test_pause_and_resume_keep_the_run() -> None:
+    teacher = Lessons().ready().moving().hear(acts.Pause())
+    assert teacher.effects[0] == fx.Halt("pause")
+    assert fx.GoOn(anew=True) in teacher.hear(acts.Resume()).effects
+
+
+def test_a_correction_while_paused_is_checked_before_going_on() -> None:
+    teacher = Lessons().ready().moving().hear(acts.Pause())
+    teacher.hear(acts.Translate("up"))
+    teacher.hear(acts.Resume())
+    check = next(one for one in teacher.effects if isinstance(one, fx.Check))
+    assert check.anew
+    assert not teacher.did(fx.GoOn)
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, None))
+    move = next(one for one in teacher.effects if isinstance(one, fx.Move))
+    assert move.anew
+    assert move.task.learned is not None
+    assert len(move.task.learned.feedback) == 1
+
+
+def test_an_unmet_condition_ends_the_run_and_is_told() -> None:
+    teacher = Lessons().ready().moving().report("primitive", 1)
+    teacher.report("unmet", 1, text="held", object="block")
+    assert teacher.topics == ["stopped.unmet.held"]
+    assert public_view(teacher.dialogue)["motion"] == "stopped"
+
+
+def test_the_robot_does_not_agree_after_one_setup() -> None:
+    teacher = Lessons().ready().run().hear(acts.Affirm()).run().hear(acts.Approve())
+    assert teacher.topics[0] == "explain.not_agreed"
+    assert not teacher.did(fx.Keep)
+
+
+def test_a_correction_makes_the_robot_start_counting_again() -> None:
+    teacher = Lessons().agreed().happen(ev.Kept("pick and place"))
+    teacher.hear(acts.Translate("up"))
+    teacher.moving().finish().hear(acts.Approve())
+    assert teacher.topics[0] == "explain.not_agreed"
+
+
+@pytest.mark.parametrize(("z_mm", "kind"), [(300.0, "hand"), (240.0, "body"), (500.0, "hand")])
+def test_a_place_is_of_what_would_stand_on_the_table(z_mm: float, kind: str) -> None:
+    table = Obstacle("table", (1800.0, 1800.0, 20.0), (0.0, 0.0, 220.0))
+    teacher = Lessons().ready()
+    scene = replace(SCENE, tables=(table,))
+    teacher.happen(ev.Arranged(SETUP, scene)).happen(ev.Checked(SETUP, None))
+    teacher.hear(acts.SetPose("block", (500.0, 0.0, z_mm)))
+    assert teacher.lines[0].slots["place"]["of"] == kind
+
+
+def test_after_a_refusal_the_robot_asks_for_another_place() -> None:
+    teacher = Lessons().ready().hear(acts.Start())
+    refusal = Refusal("reach", "grasp of block", "", 80.0, "mm", "closer")
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    assert teacher.topics[-1] == "ask.ready_refused"

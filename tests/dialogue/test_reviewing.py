@@ -1,0 +1,129 @@
+"""What was learned is gone through, changed and learned anew."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.dialogue import effects as fx
+from assistant.dialogue import events as ev
+from assistant.dialogue.machine import public_view
+from assistant.language.speech import phrase
+from assistant.model import teacher_acts as acts
+from assistant.model.lesson import Question
+from assistant.model.task import primitives
+from tests.dialogue.teaching import (
+    STEPS,
+    Lessons,
+    demonstration,
+    lesson,
+)
+
+
+def test_a_missing_step_is_asked_and_needs_a_new_demonstration() -> None:
+    facts = {"introduced": 5, "seen": 4}
+    question = Question("missing_step", "move up object", "fewer_episodes", facts)
+    teacher = Lessons().learned(question)
+    assert teacher.asked == "missing_step"
+    teacher.tell("lifting it")
+    assert teacher.topics[0] == "told.needs_demonstration"
+    assert teacher.asked == "ready"
+
+
+def test_yes_to_optional_makes_a_step_optional() -> None:
+    teacher = Lessons().learned(Question("optional", "move up object", "no_change"))
+    assert teacher.asked == "optional"
+    teacher.hear(acts.Affirm())
+    leaves = public_view(teacher.dialogue)["task"]["primitives"]  # type: ignore[index]
+    assert [leaf["optional"] for leaf in leaves] == [False, False, True, False, False]
+
+
+def test_a_moved_cut_is_learned_anew_and_corrections_stay() -> None:
+    teacher = Lessons().ready().hear(acts.Translate("up"))
+    teacher.hear(acts.MoveCut("grasp object", direction="later"))
+    learn = next(one for one in teacher.effects if isinstance(one, fx.Learn))
+    assert learn.cuts_s == pytest.approx((2.0, 4.5, 6.0, 8.0))
+    assert learn.assigned[1] == (2, "grasp object")
+    teacher.happen(ev.Learned(lesson()))
+    assert len(public_view(teacher.dialogue)["feedback"]) == 1  # type: ignore[arg-type]
+
+
+def test_renaming_reaches_into_the_lesson() -> None:
+    teacher = Lessons().ready().hear(acts.Rename("move up object", "lift"))
+    assert not teacher.did(fx.Learn)
+    view = public_view(teacher.dialogue)
+    assert "lift" in view["primitives"]  # type: ignore[operator]
+    episodes = view["lesson"]["episodes"]  # type: ignore[index]
+    assert episodes[2]["primitive"] == "lift"
+
+
+def test_removing_a_step_after_learning_learns_again() -> None:
+    teacher = Lessons().ready().hear(acts.RemoveSubtask("move up object"))
+    assert teacher.topics[0] == "done.removed_shown"
+    assert teacher.did(fx.Learn)
+
+
+def test_why_a_cut_and_why_a_step_are_answered_from_the_lesson() -> None:
+    teacher = Lessons().learned()
+    teacher.hear(acts.Explain("why did you cut at 4 seconds"))
+    assert teacher.topics[0] == "explain.cut"
+    assert teacher.lines[0].slots["signals"] == ["gripper", "voice"]
+    teacher.hear(acts.Explain("why is the second part the grasp"))
+    assert teacher.topics[0] == "explain.assignment"
+    assert teacher.lines[0].slots["name"] == "grasp object"
+    assert teacher.hear(acts.Explain("how sure are you")).topics[0] == "explain.sure"
+    assert teacher.hear(acts.Explain("what did you learn")).topics[0] == "explain.learned"
+
+
+def test_a_step_nobody_introduced_gets_a_name_and_its_own_part() -> None:
+    facts = {"from_s": 4.0, "to_s": 6.0, "introduced": 5, "shown": 6}
+    teacher = Lessons().learned(Question("missing_step", "", "never_introduced", facts))
+    teacher.tell("shake it")
+    assert teacher.topics[0] == "done.added"
+    learn = next(one for one in teacher.effects if isinstance(one, fx.Learn))
+    assert (3, "shake it") in learn.assigned
+    leaves = [leaf.name for leaf in primitives(learn.task.tree)]
+    assert leaves.index("shake it") == 2
+
+
+def test_the_demonstration_can_be_seen_again() -> None:
+    teacher = Lessons().learned().hear(acts.Show("trajectory"))
+    assert teacher.asked == "ready"
+    assert not teacher.did(fx.Replay)
+    teacher.hear(acts.Affirm())
+    assert teacher.did(fx.Replay)
+    teacher.report("primitive", 0)
+    assert teacher.topics == ["announce.primitive"]
+    teacher.report("finished", 4)
+    assert teacher.asked == "confirm_segmentation"
+
+
+def test_what_could_not_be_learned_is_told_and_watched_again() -> None:
+    teacher = Lessons().confirmed().hear(acts.Start()).hear(acts.Approve())
+    teacher.happen(ev.Shown(demonstration())).happen(ev.Learned(None, "never_closed"))
+    assert "the hand never closed" in phrase(teacher.lines[0])
+    assert teacher.asked == "ready"
+
+
+def test_who_has_said_yes_to_the_unsure_cuts_is_not_asked_about_all_of_them_again() -> None:
+    question = Question("confirm_segmentation", "grasp object", "unsure_cut", {"at_s": 4.0})
+    teacher = Lessons().learned(question)
+    assert teacher.asked == "confirm_segmentation"
+    assert teacher.hear(acts.Affirm()).asked == "ready"
+
+
+def test_undo_after_learning_takes_back_what_the_teacher_did_and_learns_nothing_again() -> None:
+    teacher = Lessons().ready()
+    before = teacher.dialogue.known
+    teacher.hear(acts.MoveCut(STEPS[1], direction="later"))
+    teacher.happen(ev.Learned(lesson()))
+    teacher.hear(acts.Undo())
+    assert teacher.topics == ["done.undone", "ask.ready_slow"]
+    assert teacher.dialogue.known == before
+    assert not teacher.did(fx.Learn)
+    assert teacher.hear(acts.Redo()).dialogue.known.cuts_s is not None
+
+
+def test_none_is_no_missing_step() -> None:
+    missing = Question("missing_step", STEPS[2], "never_shown", {"introduced": 5, "shown": 4})
+    teacher = Lessons().learned(missing)
+    assert teacher.tell("none").topics == ["confirm.segmentation"]
