@@ -11,6 +11,7 @@ example:
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import sys
 from collections.abc import Callable, Iterable
@@ -74,7 +75,7 @@ def _with_json(args: argparse.Namespace) -> int:
     from assistant.shells.json_lines import JsonShell
 
     shell = JsonShell(lambda line: print(line, flush=True))
-    session = _opened(args, shell.out)
+    session = _opened(args, shell.out, shell.attach)
     return _guarded(session, lambda: shell.run(session, _lines()))
 
 
@@ -102,17 +103,24 @@ def _with_text(args: argparse.Namespace) -> int:
 
 
 def _lines() -> Iterable[str]:
-    """Return the lines of the input; none where it was closed before the program began."""
+    """Return the lines of the input; none where it was closed before the program began.
+
+    Bytes that are no text are words nobody understands, in every locale.
+    """
+    if isinstance(sys.stdin, io.TextIOWrapper):
+        sys.stdin.reconfigure(errors="replace")
     return sys.stdin or ()
 
 
-def _opened(args: argparse.Namespace, out: Out) -> Session:
+def _opened(
+    args: argparse.Namespace, out: Out, made: Callable[[Session], None] = lambda session: None
+) -> Session:
     from assistant.cli.adapters import make_equipment
     from assistant.files.home import home
     from assistant.session.opening import Opening, open_session, resume_session
     from assistant.session.past import newest_session
 
-    opening = Opening(make_equipment, home(), out)
+    opening = Opening(make_equipment, home(), out, made)
     if args.resume is None:
         return open_session(opening, _header(args))
     name = newest_session(opening.sessions) if args.resume == NEWEST else args.resume

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -40,11 +41,14 @@ class Opening:
         Has ``sessions`` and ``tasks`` below it.
     out : callable
         Told every robot line.
+    made : callable
+        Given the session before its first line, so that whoever tells lines can look at it.
     """
 
     equipment: EquipmentMaker
     home: Path
     out: Out
+    made: Callable[[Session], None] = lambda session: None
 
     @property
     def sessions(self) -> Path:
@@ -81,7 +85,9 @@ def _begin_anew(session: Session, header: Transcript, names: tuple[str, ...]) ->
 
 def _session(opening: Opening, journal: Journal, header: Transcript, *, fed: bool) -> Session:
     equipment = opening.equipment("kinematic" if fed else header.arm)
-    return Session(equipment, journal, opening.out, opening.library, header.language, fed=fed)
+    session = Session(equipment, journal, opening.out, opening.library, header.language, fed=fed)
+    opening.made(session)
+    return session
 
 
 def _new_journal(opening: Opening, header: Transcript) -> Journal:

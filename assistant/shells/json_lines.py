@@ -17,6 +17,7 @@ from assistant.errors import BadInput, WorkFailed
 from assistant.model.robot_acts import RobotAct
 from assistant.model.teacher_acts import Stage
 from assistant.model.transcript import Demonstrate, SetupStep, Step, Wait
+from assistant.session import halting
 from assistant.session.acting import demonstrate, leave, one_step, wait
 from assistant.session.loop import Session
 from assistant.session.opening import chosen
@@ -39,6 +40,11 @@ class JsonShell:
         self._write = write
         self._session: Session | None = None
         self._lines: queue.Queue[str | None] = queue.Queue()
+        self._broken = False
+
+    def attach(self, session: Session) -> None:
+        """Take note of the session whose lines are told."""
+        self._session = session
 
     def out(self, line: RobotAct, text: str) -> None:
         """Tell a robot line."""
@@ -47,13 +53,14 @@ class JsonShell:
 
     def run(self, session: Session, lines: Iterable[str]) -> None:
         """Hold the conversation until the robot leaves or the input ends."""
-        self._session = session
+        self.attach(session)
+        session.in_touch = lambda: not self._broken
         threading.Thread(target=self._read, args=(session, lines), daemon=True).start()
         self._ready(session)
         while not session.left:
             line = self._lines.get()
             if line is None:
-                leave(session)
+                leave(session, halting.HEARTBEAT if self._broken else halting.NOBODY)
                 return
             self._take(session, line)
             if not session.left:
@@ -66,6 +73,9 @@ class JsonShell:
                 if self._lines.empty():
                     session.raw(line)
                 self._lines.put(line.strip())
+        except (OSError, ValueError):
+            # An input that breaks, other than one that ends, can take no stop any more.
+            self._broken = True
         finally:
             self._lines.put(None)
 

@@ -178,12 +178,13 @@ def test_an_input_that_was_closed_before_is_one_that_ends(tmp_path: Path, more: 
     assert "Traceback" not in ended.stderr
 
 
-def test_bytes_that_are_no_text_are_words_nobody_understands(tmp_path: Path) -> None:
+@pytest.mark.parametrize("coding", ["utf-8:strict", "ascii:strict"])
+def test_bytes_that_are_no_text_are_words_nobody_understands(tmp_path: Path, coding: str) -> None:
     ended = subprocess.run(
         TEACH,
         input=b"pick and place\n\xff\xfe\x80\nquit\nno\n",
         capture_output=True,
-        env=environment(tmp_path),
+        env=environment(tmp_path) | {"PYTHONIOENCODING": coding},
         timeout=60,
         check=False,
     )

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,20 @@ def test_ready_follows_every_line_and_the_end_quits(tmp_path: Path) -> None:
     ready = [one for one in told if "ready" in one]
     assert ready == [{"ready": True, "moving": False}] * 4
     assert told[-1]["asked"] == "unsaved"
+
+
+def test_input_that_breaks_stops_the_arm_and_ends_the_talk(tmp_path: Path) -> None:
+    def lines() -> Iterator[str]:
+        yield "pick and place"
+        raise OSError("the other end is gone")
+
+    told: list[str] = []
+    shell = JsonShell(told.append)
+    session = open_session(Opening(make_equipment, tmp_path, shell.out), Transcript("program"))
+    shell.run(session, lines())
+    session.close()
+    assert not session.in_touch()
+    assert json.loads(told[-1])["asked"] == "unsaved"
 
 
 @pytest.mark.parametrize(
