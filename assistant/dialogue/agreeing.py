@@ -7,11 +7,8 @@ from typing import Any
 
 from assistant.dialogue.asking import PRACTICE, ask, tell
 from assistant.dialogue.keeping import save
-from assistant.dialogue.state import (
-    Dialogue,
-    Ready,
-    RunResult,
-)
+from assistant.dialogue.runs import RunResult
+from assistant.dialogue.state import Dialogue, Ready
 from assistant.dialogue.turn import (
     Turn,
     first,

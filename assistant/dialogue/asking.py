@@ -7,6 +7,7 @@ from typing import Any
 
 from assistant.dialogue import introduction
 from assistant.dialogue.effects import Check, Learn
+from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import Sketch, leaves, walk
 from assistant.dialogue.state import (
     AwaitingShow,
@@ -16,7 +17,6 @@ from assistant.dialogue.state import (
     Ran,
     Ready,
     Reviewing,
-    Run,
     Running,
     Thinking,
     Watching,

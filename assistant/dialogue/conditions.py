@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from assistant.dialogue.state import Knowledge, Run
+from assistant.dialogue.runs import Run
+from assistant.dialogue.state import Knowledge
 from assistant.dialogue.turn import plain_condition
 from assistant.model.task import Condition, Primitive, Task, primitives
 

@@ -178,6 +178,14 @@ class Discard:
 
 
 @dataclass(frozen=True, slots=True)
+class WriteDown:
+    """Write a record of a task that people can read (answered by ``Kept`` with `record`)."""
+
+    task: Task
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
 class Leave:
     """End the session."""
 
@@ -199,6 +207,7 @@ Effect = (
     | Keep
     | Load
     | Discard
+    | WriteDown
     | Leave
 )
 
@@ -221,4 +230,5 @@ __all__ = [
     "Replay",
     "Say",
     "SetHand",
+    "WriteDown",
 ]

@@ -120,11 +120,22 @@ class Arranged:
 
 @dataclass(frozen=True, slots=True)
 class Kept:
-    """A task was saved or deleted, or could not be, with the reason."""
+    """A task was saved, deleted or written down, or could not be, with the reason.
+
+    Parameters
+    ----------
+    name : str
+    why_not : str
+    discarded : bool
+        It was to be deleted.
+    record : str or None
+        It was to be written down; where it is to be read.
+    """
 
     name: str
     why_not: str = ""
     discarded: bool = False
+    record: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,7 @@ from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.reviewing import read_back
 from assistant.dialogue.state import Dialogue, Pending, Reviewing
 from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
-from assistant.language.hints import hints, matter
+from assistant.language.hints import hints, matter, mentions
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
@@ -42,6 +42,12 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
         told = line("explain", "detour", note=dialogue.run.note)
     elif topic == "stop" and dialogue.arm in ("stopped", "paused"):
         told = line("explain", "stopped")
+    elif (
+        topic == "learned"
+        and lesson is None
+        and mentions(act.text, hints("questions", dialogue.language))
+    ):
+        told = line("error", "nothing_learned")
     elif lesson is not None:
         told = _from_lesson(dialogue, lesson, topic, named, act.text)
     return tell(dialogue, told or _why_asked(dialogue))

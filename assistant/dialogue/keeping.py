@@ -9,7 +9,7 @@ from typing import Any
 from assistant.dialogue import introduction
 from assistant.dialogue.asking import ask, introduced, tell
 from assistant.dialogue.correcting import plain_feedback
-from assistant.dialogue.effects import Arrange, Discard, Halt, Keep, Leave, Load
+from assistant.dialogue.effects import Arrange, Discard, Halt, Keep, Leave, Load, WriteDown
 from assistant.dialogue.events import Kept, Loaded
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.sketch import from_tree, names
@@ -43,6 +43,8 @@ def kept(dialogue: Dialogue, event: Kept) -> Turn:
     """Tell that the task is saved, or why it is not."""
     if event.discarded:
         return _discarded(dialogue, event)
+    if event.record is not None:
+        return _written(dialogue, event, event.record)
     if event.why_not == EXISTS:
         there = tuple(dict.fromkeys((*dialogue.saved, event.name)))
         return save(replace(dialogue, saved=there, saved_as=""), event.name)
@@ -64,6 +66,19 @@ def _go_after(dialogue: Dialogue) -> Turn:
     what, name = dialogue.after
     free = replace(dialogue, after=("", ""), pending=None)
     return fresh(free) if what == "fresh" else (free, (Load(name),))
+
+
+def write_down(dialogue: Dialogue) -> Turn:
+    """Have the task written down for people to read."""
+    known = dialogue.known
+    return dialogue, (WriteDown(known.task, dialogue.saved_as or known.name),)
+
+
+def _written(dialogue: Dialogue, event: Kept, record: str) -> Turn:
+    if event.why_not:
+        told = line("error", "not_written", name=event.name, reason=event.why_not)
+        return tell(dialogue, told)
+    return tell(dialogue, line("done", "written", name=event.name, path=record))
 
 
 def _discarded(dialogue: Dialogue, event: Kept) -> Turn:
@@ -100,8 +115,11 @@ def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Tu
     if not dialogue.saved:
         return tell(dialogue, line("error", "nothing_saved"))
     found = [one for one in (known_as(dialogue, name or ""),) if one]
-    if len(dialogue.saved) == 1 and name is None:
-        found = [dialogue.saved[0]]
+    if name is None:
+        mine = known_as(dialogue, dialogue.saved_as)
+        found = [mine] if mine and comparing else list(dialogue.saved[:1])
+        if len(dialogue.saved) > 1 and not (mine and comparing):
+            return tell(dialogue, line("error", "which_task", names=list(dialogue.saved)))
     if not found:
         told = line("error", "no_such_task", name=name or "", names=list(dialogue.saved))
         return tell(dialogue, told)
@@ -170,8 +188,8 @@ def comparison(known: Knowledge, name: str, other: Task) -> Any:
         name=name,
         added=added,
         removed=removed,
-        corrections=len([one for one in mine if one not in theirs]),
-        fewer=len([one for one in theirs if one not in mine]),
+        corrections=len([one for one in mine if one not in theirs]) or None,
+        fewer=len([one for one in theirs if one not in mine]) or None,
     )
 
 

@@ -177,7 +177,8 @@ def _value(
 
 def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str) -> bool:
     """Whether words plainly answer, by what they tell: an action, a size, a number, a place."""
-    if not meant or not all(isinstance(act, acts.Inform) for act in meant):
+    named = (isinstance(act, acts.Inform) or answers_by_words(dialogue, act) for act in meant)
+    if not meant or not all(named):
         return False
     if dialogue.pending is not None:
         return dialogue.pending.asked == "facing" and bool(stands(text, dialogue.language))

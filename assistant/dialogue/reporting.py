@@ -11,14 +11,8 @@ from assistant.dialogue.conditions import expected, missing, plain_conditions
 from assistant.dialogue.effects import GoOn, Move
 from assistant.dialogue.events import Checked
 from assistant.dialogue.practicing import not_home, stopped
-from assistant.dialogue.state import (
-    Dialogue,
-    Ran,
-    Ready,
-    Run,
-    Running,
-    RunResult,
-)
+from assistant.dialogue.runs import Run, RunResult
+from assistant.dialogue.state import Dialogue, Ran, Ready, Running
 from assistant.dialogue.turn import (
     Turn,
     first,

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.dialogue.asking import ask, begin_run, places, tell
+from assistant.dialogue.asking import ask, begin_run, places, question, tell
 from assistant.dialogue.effects import Arrange, Home
-from assistant.dialogue.keeping import discard_wanted, known_as, load
+from assistant.dialogue.keeping import discard_wanted, known_as, load, save, write_down
+from assistant.dialogue.naming import tidy_name
+from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import (
     Dialogue,
+    Introducing,
     Knowledge,
     Pending,
     Ran,
     Ready,
     Running,
+    Watching,
 )
 from assistant.dialogue.taking_back import numbered
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then
@@ -30,9 +34,12 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
     if dialogue.busy:
         return None
     calm = replace(dialogue, misses=0)
-    turn = _kept_task(calm, words)
-    if turn is not None:
-        return turn
+    if isinstance(dialogue.state, Watching):
+        return None
+    for reply in (_kept_task, _saved_as, _written_down, _why_refused):
+        turn = reply(calm, words)
+        if turn is not None:
+            return turn
     if not isinstance(dialogue.state, Ready | Running | Ran):
         return numbered(calm, words)
     for reply in (numbered, _rewind, _swapped, _look_ahead, _home):
@@ -58,8 +65,45 @@ def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
     other = known_as(dialogue, after(words.text, "compare_with", dialogue.language))
     if other:
         return load(dialogue, other, comparing=True)
+    untold = isinstance(dialogue.state, Introducing) and not dialogue.known.root.parts
+    told = after(words.text, "compare_with", dialogue.language)
+    if (
+        told
+        and dialogue.saved
+        and not untold
+        and not mentions(told, hints("saved_version", dialogue.language))
+    ):
+        return load(dialogue, told, comparing=True)
     doomed = known_as(dialogue, after(words.text, "delete_task", dialogue.language))
     return discard_wanted(dialogue, doomed) if doomed else None
+
+
+def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Save under a name that is told whole: "save it as version one"."""
+    name = tidy_name(after(words.text, "save_as", dialogue.language))
+    if not name or dialogue.pending is not None or not dialogue.known.name:
+        return None
+    return save(dialogue, name)
+
+
+def _written_down(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Write a record of the task that people can read."""
+    state = dialogue.state
+    naming = isinstance(state, Introducing) and state.asked != "confirm_tree"
+    if naming or not mentions(words.text, hints("write_down", dialogue.language)):
+        return None
+    return write_down(dialogue)
+
+
+def _why_refused(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Tell why a run was refused to who asks just "why?" or "why not?" then."""
+    asked, refusal = question(dialogue), dialogue.refusal
+    plain = tidy_name(words.text).lower()
+    if refusal is None or asked is None or asked.topic != "ready_refused":
+        return None
+    if plain not in hints("why_not", dialogue.language):
+        return None
+    return tell(dialogue, refusal_line("explain", refusal))
 
 
 def _look_ahead(dialogue: Dialogue, words: Words) -> Turn | None:

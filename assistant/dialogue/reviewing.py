@@ -10,16 +10,9 @@ from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.introduction import with_roles
 from assistant.dialogue.naming import alike, is_no_step
+from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import Sketch, at, inserted, names, put
-from assistant.dialogue.state import (
-    AwaitingShow,
-    Dialogue,
-    Knowledge,
-    Reviewing,
-    Run,
-    Running,
-    Thinking,
-)
+from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewing, Running, Thinking
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.actions import read_action

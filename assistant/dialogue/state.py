@@ -9,17 +9,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Literal
 
+from assistant.dialogue.runs import Pace, Run, RunResult
 from assistant.dialogue.sketch import Sketch, to_tree
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Lesson, Question
-from assistant.model.motion import Alignment, Measure, Refusal
+from assistant.model.motion import Refusal
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Index, Primitive, Subtask, Task, TaskObject
 from assistant.model.teacher_acts import Asked, TeacherAct
 
-Pace = Literal["slow", "normal"]
 Arm = Literal["rest", "checking", "moving", "paused", "stopped", "homing"]
 """``homing``: on the way back to where an arrangement has the hand start; no run is under way."""
 Facing = Literal["own", "facing"]
@@ -184,52 +184,6 @@ class Pending:
     keep_name: str = ""
     leave: bool = False
     after: After = ("", "")
-
-
-@dataclass(frozen=True, slots=True)
-class Run:
-    """One carrying out of a setup.
-
-    Parameters
-    ----------
-    purpose : {"practice", "replay", "look", "dry"}
-        ``look`` only checks, ``dry`` tells what it found.
-    anew : bool
-        Goes on from where the arm was halted.
-    checked : bool
-        The check of this run was accepted and its motion may be under way.
-    interrupted : bool
-        Stopped by the teacher on the way; it does not count toward agreement.
-    note : str
-        What was changed on the way.
-    perceived : tuple of (condition, object)
-    """
-
-    setup: Setup
-    pace: Pace
-    purpose: Literal["practice", "replay", "look", "dry"] = "practice"
-    anew: bool = False
-    checked: bool = False
-    corrected: bool = False
-    interrupted: bool = False
-    note: str = ""
-    primitive_at: int = -1
-    perceived: tuple[tuple[str, str], ...] = ()
-    held: str = ""
-    height_mm: float | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class RunResult:
-    """How one carrying out went."""
-
-    setup: Setup
-    pace: Pace
-    corrected: bool
-    complete: bool
-    missing: tuple[str, ...] = ()
-    alignments: tuple[Alignment, ...] = ()
-    measures: tuple[Measure, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from pathlib import Path
 
 from assistant.errors import BadInput
 from assistant.files.home import home
+from assistant.files.markdown import markdown
 from assistant.files.tasks import read_task, task_text
 from assistant.files.writing import cannot_write, write_text
 from assistant.model.task import Task
@@ -69,6 +70,16 @@ class Library:
         except OSError as error:
             raise cannot_write(self.folder, error) from error
         write_text(path, task_text(task))
+        return path
+
+    def write_record(self, name: str, task: Task) -> Path:
+        """Write a task down for people, in Markdown beside the kept tasks, and return the file."""
+        path = self.path(name).with_suffix(".md")
+        try:
+            self.folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise cannot_write(self.folder, error) from error
+        write_text(path, markdown(task))
         return path
 
     def earlier(self, name: str) -> tuple[Path, ...]:

@@ -45,6 +45,19 @@ def _percent(wording: Wording, value: Any) -> str:
     return wording.words("percent", {"value": 100.0 * float(value or 0.0)})
 
 
+_AXES = (("forward", "backward"), ("left", "right"), ("up", "down"))
+
+
+def _ways(wording: Wording, value: Any) -> str:
+    """Return a displacement, x forward, y left, z up in mm, in the teacher's directions."""
+    told = [
+        f"{wording.number(abs(one))} mm {wording.told(ways[one < 0])}"
+        for one, ways in zip(value, _AXES, strict=True)
+        if one
+    ]
+    return wording.joined(told)
+
+
 def _mm(wording: Wording, value: Any) -> str:
     return f"{wording.number(1000.0 * abs(float(value)))} mm"
 
@@ -219,6 +232,7 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "ordinal": _ordinal,
     "percent": _percent,
     "mm": _mm,
+    "ways": _ways,
     "deg": _deg,
     "action": _action,
     "conditions": _conditions,

@@ -41,6 +41,8 @@ def do(session: Session, effect: wanted.Effect) -> None:
             session.happen(keeping.load(session.library, effect.name))
         case wanted.Discard():
             session.happen(keeping.discard(session.library, effect.name))
+        case wanted.WriteDown():
+            session.happen(keeping.write_down(session.library, effect.task, effect.name))
         case wanted.Arrange():
             _arrange(session, effect)
         case wanted.Leave():

@@ -115,7 +115,10 @@ def _result(event: events.Event, store: Store) -> dict[str, Any] | None:
             return {"arranged": _arranged(event.scene, event.setup, store)}
         case events.Kept():
             told = {"name": event.name, "why_not": event.why_not}
-            return {"kept": _without_blanks({**told, "discarded": event.discarded or None})}
+            return {
+                "kept": _without_blanks({**told, "discarded": event.discarded or None})
+                | ({} if event.record is None else {"record": event.record})
+            }
         case events.Loaded():
             loaded: dict[str, Any] = {"name": event.name, "why_not": event.why_not}
             if event.task is not None:
@@ -233,7 +236,7 @@ _READERS: Mapping[str, Callable[[Any, Path], events.Event]] = {
         _setup(told, folder), read_scene(folder / told["scene"])
     ),
     "kept": lambda told, folder: events.Kept(
-        told["name"], told.get("why_not", ""), bool(told.get("discarded"))
+        told["name"], told.get("why_not", ""), bool(told.get("discarded")), told.get("record")
     ),
     "loaded": _read_loaded,
 }

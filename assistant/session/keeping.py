@@ -31,6 +31,14 @@ def discard(library: Library, name: str) -> Kept:
     return Kept(name, discarded=True)
 
 
+def write_down(library: Library, task: Task, name: str) -> Kept:
+    """Write the record of a task beside the kept ones."""
+    try:
+        return Kept(name, record=str(library.write_record(name, task)))
+    except BadInput as error:
+        return Kept(name, str(error.problems[0]), record="")
+
+
 def load(library: Library, name: str) -> Loaded:
     """Read a kept task."""
     if name not in library:

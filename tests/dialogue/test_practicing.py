@@ -99,3 +99,13 @@ def test_after_a_refusal_the_robot_asks_for_another_place() -> None:
     refusal = Refusal("reach", "grasp of block", "", 80.0, "mm", "closer")
     teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
     assert teacher.topics[-1] == "ask.ready_refused"
+
+
+@pytest.mark.parametrize("words", ["why", "Why not?", "why can't you"])
+def test_after_a_refusal_why_is_answered_with_its_reason_and_nothing_moves(words: str) -> None:
+    teacher = Lessons().ready().hear(acts.Start())
+    refusal = Refusal("reach", "grasp of block", "", 195.0, "mm", "closer")
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    teacher.hear(acts.Affirm(), text=words)
+    assert teacher.topics[0] == "explain.reach.only"
+    assert not teacher.did(fx.Check)

@@ -113,3 +113,13 @@ def test_the_home_folder_is_where_it_is_told(
     assert library().folder == tmp_path / "tasks"
     monkeypatch.delenv("ASSISTANT_HOME")
     assert home().name == "teaching-assistant"
+
+
+def test_a_task_is_written_down_beside_the_kept_ones(kept: Library) -> None:
+    path = kept.write_record("Pick & Place!", task(lesson()))
+    assert path.name == "pick_place.md"
+    assert path.read_text(encoding="utf-8").startswith("# ")
+    assert kept.names() == ()
+    kept.folder.joinpath("x").write_text("a file")
+    with pytest.raises(BadInput):
+        Library(kept.folder / "x").write_record("any", task())

@@ -34,6 +34,7 @@ EVENTS: list[events.Event] = [
     events.Arranged(SETUP, SCENE),
     events.Kept("pick and place"),
     events.Kept("pick and place", "exists"),
+    events.Kept("pick and place", record="tasks/pick_and_place.md"),
     events.Loaded("stacking", TASK),
     events.Loaded("stacking", None, "unknown"),
     *(
