@@ -10,7 +10,7 @@ help either.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,7 +40,7 @@ from sim.kinematics import (
 )
 from sim.phases import Phase, phases
 from sim.world import CONTROL_S
-from sim.wrist import forearm_turn, led, suited
+from sim.wrist import ENDS, forearm_turn, led, plane_of, suited
 
 LEAVES_RAD = math.radians(0.85)
 """The hand's turn is never further off than this: 2 mm at the flange."""
@@ -52,7 +52,8 @@ PATH = "next step"
 """By how much the next step is too far says nothing: it is told without."""
 LEAVES_M = 0.0005
 """The point between the fingers is never further off its line than this."""
-SETTLED_RAD = 1e-4
+SETTLED_RAD = 1e-3
+"""A hand at rest is right to this, also where joint 4 is kept from its end."""
 ROUNDS, SHARE = 6, 0.6
 
 PACES = (
@@ -104,6 +105,7 @@ class Jogger:
         self._most_m_s = scene.hand_speed_m_s
         self._gripper_m = look.gripper_m
         self._phase = _around(scene, setup, look)
+        self._tour = tour(scene, look)
 
     def towards(self, now: Driven, speed: Array, *, seats: bool = False) -> Jog | Refusal:
         """Return a motion that takes up a speed, shape (6,), and ends at rest.
@@ -126,26 +128,27 @@ class Jogger:
     def _tried(
         self, now: Driven, paces: tuple[Pace, ...], asked: Asking, seats: bool
     ) -> Jog | Refusal:
-        gentlest = asked(paces[-1])
-        now = seated(now, gentlest[0]) if seats else now
-        found: Jog | Refusal = self._checked(now, gentlest)
+        now = seated(now, asked(paces[0])[0], self._tour) if seats else now
+        found = self._checked(now, asked(paces[-1]))
         hard = isinstance(found, Refusal) and found.reason != "speed"
         if hard and (paces is STEPS or not now.speed.any()):
             # What even the gentlest motion meets is met by all: the answer is given at once.
             return found
-        for pace in paces[:-1]:
-            tried = self._checked(now, asked(pace))
+        # The wrist takes the side that suits later ways if that costs no time now.
+        tries = [(paces[0], self._tour), *((pace, ()) for pace in paces[:-1])]
+        for pace, later in tries:
+            tried = self._checked(now, asked(pace), later)
             if isinstance(tried, Jog):
                 return tried
         return found
 
-    def _checked(self, now: Driven, asked: Asked) -> Jog | Refusal:
+    def _checked(self, now: Driven, asked: Asked, later: Sequence[float] = ()) -> Jog | Refusal:
         tips, speeds = asked
         still = np.repeat(tips[-1:], SETTLE_TICKS, axis=0)
         resting = np.arange(len(tips) + SETTLE_TICKS) >= len(tips) - 1
         tips = np.concatenate([tips, still])
         speeds = np.concatenate([speeds, np.zeros((SETTLE_TICKS, 6))])
-        found = tracked(now, tips, resting)
+        found = tracked(now, tips, resting, later)
         if isinstance(found, Refusal):
             return found
         q, off = found
@@ -173,7 +176,25 @@ def _around(scene: Scene, setup: Setup, look: ArmLook) -> Phase:
     return phases(here, scene, setup, look)[0]
 
 
-def tracked(now: Driven, tips: Array, resting: Flags) -> tuple[Array, Array] | Refusal:
+def tour(scene: Scene, look: ArmLook) -> tuple[float, ...]:
+    """Return the planes of the wrist where a teacher is likely to go, in likely order.
+
+    A full hand goes to places first, an empty one to what can be grasped.
+    """
+    known = [(n, scene.bodies[n]) for n in look.bodies if n in scene.bodies and n != look.held]
+    known.sort(key=lambda one: (one[1].mass_kg > 0.0) is bool(look.held))
+    if not known:
+        return ()
+    hands = np.array([compose(look.bodies[name], body.hand_in_body) for name, body in known])
+    branch = int(branch_of(look.q)) & ~WRIST_NEGATIVE
+    arm = inverse_all(hands)[:, branch, :3]
+    planes = plane_of(quat_multiply(quat_inverse(forearm_turn(arm)), hands[:, 3:]))
+    return tuple(planes[~np.isnan(planes)].tolist())
+
+
+def tracked(
+    now: Driven, tips: Array, resting: Flags, tour: Sequence[float] = ()
+) -> tuple[Array, Array] | Refusal:
     """Return joints, shape (n, 6), that hold the tips, and how far the hand's turn is off.
 
     Parameters
@@ -182,6 +203,8 @@ def tracked(now: Driven, tips: Array, resting: Flags) -> tuple[Array, Array] | R
     tips : array, shape (n, 7)
         As asked; the first is where the arm was asked to be now.
     resting : array of bool, shape (n,)
+    tour : sequence of float
+        As for `sim.wrist.led`.
     """
     branch = int(branch_of(now.q)) & ~WRIST_NEGATIVE
     ahead = rotate_vector(tips[:, 3:], AHEAD)
@@ -193,7 +216,7 @@ def tracked(now: Driven, tips: Array, resting: Flags) -> tuple[Array, Array] | R
             return Refusal("reach", PATH)
         base = forearm_turn(arm)
         turns = quat_multiply(quat_inverse(base), tips[:, 3:])
-        wrist, off = led(turns, now.q[3:], float(now.q_speed[3]), resting)
+        wrist, off = led(turns, now.q[3:], float(now.q_speed[3]), resting, tour)
         if off.max() < STANDS_RAD:
             break
         # The hand is off by a little: the point between the fingers is kept where it should be.
@@ -205,7 +228,7 @@ def tracked(now: Driven, tips: Array, resting: Flags) -> tuple[Array, Array] | R
     return q, off
 
 
-def seated(now: Driven, tips: Array) -> Driven:
+def seated(now: Driven, tips: Array, tour: Sequence[float] = ()) -> Driven:
     """Return the arm with a singular wrist split as suits the tips that are asked for."""
     if abs(float(now.q[4])) > STRAIGHT_RAD:
         return now
@@ -216,7 +239,7 @@ def seated(now: Driven, tips: Array) -> Driven:
         return now
     turns = quat_multiply(quat_inverse(forearm_turn(arm)), tips[:, 3:])
     q = np.array(now.q)
-    q[3:] = suited(turns, q[3:])
+    q[3:] = suited(turns, q[3:], tour)
     return Driven.resting(q, now.tip)
 
 
@@ -241,7 +264,8 @@ def _too_fast(now: Driven, jog: Jog, most_m_s: float) -> Refusal | None:
         return Refusal("speed", PATH)
     aside = np.linalg.norm(tips[:, :3] - jog.tips[:, :3], axis=1).max()
     if aside > LEAVES_M or jog.off_rad.max() > LEAVES_RAD or jog.off_rad[-1] > SETTLED_RAD:
-        return Refusal("speed", PATH, "joint 4")
+        wound = np.abs(jog.q[:, 3]).max() > ENDS - SETTLED_RAD
+        return Refusal("joint_limit" if wound else "speed", PATH, "joint 4")
     return None
 
 

@@ -11,12 +11,13 @@ off that is belongs to the answer.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
 
 from assistant.geometry import Array, quat_inverse, quat_multiply, rotate_vector
-from sim.a465 import ACCELERATIONS, SPEEDS
+from sim.a465 import ACCELERATIONS, LIMITS, SPEEDS
 from sim.kinematics import Flags
 from sim.world import CONTROL_S
 
@@ -28,6 +29,10 @@ STRAIGHT_RAD = 1e-7
 """Below this lean no plane is asked for."""
 CENTERED = 0.2
 """How much the middle of joint 4's range is preferred where either way would do."""
+BEYOND = 100.0
+"""How much more an angle beyond joint 4's end weighs than one it has to swing."""
+ENDS = float(LIMITS[3]) - math.radians(0.05)
+"""Joint 4 is kept so far within its limits: what that costs at a slight lean is nothing."""
 TURNS = 0.96 * SPEEDS[3]
 GAINS = 0.9 * ACCELERATIONS[3]
 EARLY = 0.8
@@ -41,7 +46,9 @@ def forearm_turn(q: Array) -> Array:
     return np.stack([-sz * sy, cz * sy, sz * cy, cz * cy], axis=-1)
 
 
-def led(turns: Array, q: Array, speed: float, resting: Flags) -> tuple[Array, Array]:
+def led(
+    turns: Array, q: Array, speed: float, resting: Flags, tour: Sequence[float] = ()
+) -> tuple[Array, Array]:
     """Return joints 4 to 6 along a motion and how far they leave the hand's asked turn.
 
     Parameters
@@ -54,6 +61,8 @@ def led(turns: Array, q: Array, speed: float, resting: Flags) -> tuple[Array, Ar
         Of joint 4 now, rad/s.
     resting : array of bool, shape (n,)
         Where the hand rests, and the asked turn is to be met.
+    tour : sequence of float
+        Planes the hand is likely to be led to later, as `plane_of` tells them.
 
     Returns
     -------
@@ -62,13 +71,13 @@ def led(turns: Array, q: Array, speed: float, resting: Flags) -> tuple[Array, Ar
     """
     approach = rotate_vector(turns, np.array([1.0, 0.0, 0.0]))
     lean = np.hypot(approach[:, 1], approach[:, 2])
-    planes = asked_planes(approach, lean, float(q[0]), resting)
+    planes = asked_planes(approach, lean, float(q[0]), resting, tour)
     slack = np.where(resting, RESTS_RAD, SLACK_RAD)
     room = np.arcsin(np.minimum(slack / np.maximum(lean, 1e-12), 1.0))
     return _completed(turns, _swung(planes, room, float(q[0]), speed), float(q[2]))
 
 
-def suited(turns: Array, q: Array) -> Array:
+def suited(turns: Array, q: Array, tour: Sequence[float] = ()) -> Array:
     """Return the same turn of a singular wrist, joints 4 to 6, ready for a motion.
 
     Parameters
@@ -77,36 +86,62 @@ def suited(turns: Array, q: Array) -> Array:
         Of the hand as asked, seen from the forearm.
     q : array, shape (3,)
         Joints 4 to 6, joint 5 straight.
+    tour : sequence of float
+        As for `led`.
     """
     approach = rotate_vector(turns, np.array([1.0, 0.0, 0.0]))
     lean = np.hypot(approach[:, 1], approach[:, 2])
-    joint4 = asked_planes(approach, lean, 0.0, np.ones(len(lean), dtype=bool))[0]
+    joint4 = asked_planes(approach, lean, None, np.ones(len(lean), dtype=bool), tour)[0]
     return np.array([joint4, q[1], q[0] + q[2] - joint4])
 
 
-def asked_planes(approach: Array, lean: Array, now: float, resting: Flags) -> Array:
+def plane_of(turns: Array) -> Array:
+    """Return the planes, shape (n,), joint 4 stands in at turns where joint 5 is positive."""
+    approach = rotate_vector(turns, np.array([1.0, 0.0, 0.0]))
+    return np.asarray(np.arctan2(approach[:, 1], -approach[:, 2]))
+
+
+def asked_planes(
+    approach: Array,
+    lean: Array,
+    now: float | None,
+    resting: Flags,
+    tour: Sequence[float] = (),
+) -> Array:
     """Return the planes, shape (n,), that joint 4 should stand in, each near the one before.
 
     Half a turn further is the same plane, with the other sign of joint 5. While the hand leans
-    hardly at all any plane does: the next that matters is taken.
+    hardly at all any plane does: the next that matters is taken. Without `now` joint 4 may
+    begin anywhere.
     """
     known = lean > np.where(resting, STRAIGHT_RAD, SLACK_RAD)
     if not known.any():
-        return np.full(len(lean), now)
+        return np.full(len(lean), now or 0.0)
     found = np.arctan2(approach[known, 1], -approach[known, 2])
     found = np.unwrap(found, period=math.pi)
-    found += _half_turns(float(found[0]), now) * math.pi
+    first = float(found[0])
+    if now is not None and lean[0] > SLACK_RAD:
+        found += round((now - first) / math.pi) * math.pi
+    else:
+        found += _half_turns(first, now, tour) * math.pi
     places = np.flatnonzero(known)
     following = np.minimum(np.searchsorted(places, np.arange(len(lean))), len(places) - 1)
-    return np.asarray(found[following])
+    return np.asarray(np.clip(found[following], -ENDS, ENDS))
 
 
-def _half_turns(plane: float, now: float) -> int:
-    """Return how many half turns bring a plane near, and rather not near joint 4's end."""
-    nearest = round((now - plane) / math.pi)
-    tried = (nearest - 1, nearest, nearest + 1)
-    goals = {k: plane + k * math.pi for k in tried}
-    return min(tried, key=lambda k: abs(goals[k] - now) + CENTERED * abs(goals[k]))
+def _half_turns(plane: float, now: float | None, tour: Sequence[float]) -> int:
+    """Return how many half turns to begin with, so that joint 4 has room for the whole tour."""
+
+    def effort(count: int) -> float:
+        goal = farthest = at = plane + count * math.pi
+        for one, following in pairwise((plane, *tour)):
+            at += math.remainder(following - one, 2.0 * math.pi)
+            farthest = max(farthest, at, key=abs)
+        beyond = max(abs(farthest) - ENDS, 0.0) + 10.0 * max(abs(goal) - ENDS - STRAIGHT_RAD, 0.0)
+        swing = 0.0 if now is None else abs(goal - now)
+        return swing + CENTERED * abs(goal) + BEYOND * beyond
+
+    return min(range(-2, 3), key=effort)
 
 
 def _swung(planes: Array, room: Array, now: float, speed: float) -> Array:
@@ -126,7 +161,8 @@ def _swung(planes: Array, room: Array, now: float, speed: float) -> Array:
         aim = min(max(gap / CONTROL_S, pace - catch), pace + catch)
         aim = min(max(aim, speed - gain), speed + gain)
         speed = min(max(aim, -most), most)
-        out.append(out[-1] + speed * CONTROL_S)
+        out.append(min(max(out[-1] + speed * CONTROL_S, -ENDS), ENDS))
+        speed = (out[-1] - out[-2]) / CONTROL_S
     return np.array(out)
 
 

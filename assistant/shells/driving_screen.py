@@ -87,12 +87,14 @@ class Screen:
 
     def _keys(self) -> Lines:
         """Return the keys with what they do, in rows; each can be clicked."""
-        words, lines = self._words, []
+        words = self._words
+        lines: Lines = []
         for row, keys in words["rows"].items():
             lines += self._row(str(words["headings"][row]), keys.split())
-        lines[0].append((QUIET, f" {words['arrows']}"))
-        heading = self._heading(str(words["headings"]["mouse"]))
-        return [*lines, [heading, (QUIET, f" {words['mouse']}")]]
+        heading = self._heading(str(words["headings"]["mouse"]))[1]
+        mouse = wrapped(f"{words['mouse']} {words['arrows']}", columns(), before=f"{heading}  ")
+        lines += [[(QUIET, line)] for line in mouse]
+        return lines
 
     def _heading(self, text: str) -> tuple[str, str]:
         wide = max(len(str(one)) for one in self._words["headings"].values())

@@ -20,6 +20,8 @@ NEAR_MM, NEAR_DEG = 4.0, 3.0
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""
 TURNS = ("q", "e")
+WRIST = ("joint 4", "joint 6")
+"""What turns about the arm's own line winds up, and unwinds by another way to the same place."""
 MIRRORED = {"w": "s", "s": "w", "a": "d", "d": "a"}
 """Facing the robot, the teacher's directions are the other way round."""
 
@@ -102,7 +104,8 @@ def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]
 def in_the_way(trouble: Refusal | ArmReport, words: Mapping[str, Any], language: str) -> str:
     """Return in words why the hand does not go on."""
     if isinstance(trouble, Refusal):
-        return phrase(refusal_line("refuse", trouble), language)
+        told = phrase(refusal_line("refuse", trouble), language)
+        return f"{told} {words['wound']}" if trouble.what in WRIST else told
     return str(words["faults"][trouble.text]).format(name=trouble.object)
 
 

@@ -89,6 +89,8 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
     refusal = Refusal("joint_limit", "next step", "joint 3")
     told = in_the_way(refusal, WORDS, "english")
     assert told == "I do not go: at the next step joint 3 would pass its limit."
+    wound = in_the_way(Refusal("joint_limit", "next step", "joint 4"), WORDS, "english")
+    assert "another order" in wound
     slipped = ArmReport("unmet", 1.0, text="held", object="block")
     assert "block slipped" in in_the_way(slipped, WORDS, "english")
 

@@ -211,3 +211,24 @@ def test_led_beyond_what_is_free_the_hand_goes_as_far_as_it_can_and_says_so(
     assert begin[2] - pose[2] > 0.1
     assert np.max(np.abs((pose - begin)[:2])) < 1e-4
     assert np.array_equal([hand.tick().pose for _ in range(20)][-1], pose)
+
+
+@pytest.mark.parametrize("order", ["xyz", "yxz", "yzx"])
+def test_whatever_way_the_block_is_gone_to_the_wrist_has_room_to_carry_it_on(order: str) -> None:
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    arm.arrange(scene, setup)
+    hand = KeyedHand(arm, A465Planner(), scene, setup)
+    block, target = (scene.hand_pose(name, setup.places[name]) for name in ("block", "target"))
+    above = np.array([0.0, 0.0, 0.15])
+    stops = [(block[:3], order), (block[:3] + above, "z"), (target[:3] + above, "yx")]
+    for goal, axes in stops:
+        for axis in axes:
+            k = "xyz".index(axis)
+            gap = [0.0, 0.0, 0.0]
+            gap[k] = float(goal[k] - arm.look().hand[k])
+            hand.lead((gap[0], gap[1], gap[2]))
+            for _ in range(30 + round(50.0 * abs(gap[k]) / 0.06)):
+                hand.tick()
+            assert hand.state.blocked is None
+        assert np.max(np.abs(arm.look().hand[:3] - goal) * [a in axes for a in "xyz"]) < 2e-3
