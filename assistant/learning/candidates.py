@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
-from assistant.geometry import Array
+from assistant.geometry import Array, angle_between, distance_between
 from assistant.learning.jolts import jolts
 from assistant.learning.signals import (
     GripperEvent,
@@ -16,6 +18,7 @@ from assistant.learning.signals import (
     speed_minima,
 )
 from assistant.learning.smoothing import Smoothed
+from assistant.learning.votes import poses_at
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import SegmentationSettings
 
@@ -45,6 +48,9 @@ class Candidate:
         Within a rest in which the gripper acts, before it does.
     blur_s : float
         How well the instant is known (one standard deviation).
+    settling : float
+        How little the hand moves from here until it rests again, in [0, 1]: a small correction
+        belongs to the reach it corrects.
     """
 
     at_s: float
@@ -56,6 +62,7 @@ class Candidate:
     heard: bool = False
     part: bool = False
     blur_s: float = 0.0
+    settling: float = 0.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -83,10 +90,11 @@ def gather(
     merged = _merged(events, minima, shaken, smoothed)
     inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]
     bends = _bends(np.array([c.at_s for c in inside]), smoothed)
+    settling = _settling(inside, smoothed, settings)
     step = float(np.median(np.diff(smoothed.t_s)))
     found = tuple(
-        replace(c, bend=float(b), blur_s=_blur(c, step, settings))
-        for c, b in zip(inside, bends, strict=True)
+        replace(c, bend=float(b), blur_s=_blur(c, step, settings), settling=float(s))
+        for c, b, s in zip(inside, bends, settling, strict=True)
     )
     return Evidence(smoothed, speed, events, minima, shaken, found)
 
@@ -137,6 +145,23 @@ def _blur(candidate: Candidate, step_s: float, settings: SegmentationSettings) -
     if candidate.jolt > 0.0:
         return settings.jolts.blur_s
     return float(np.hypot(given.blur_of_rest * candidate.rest_s, given.blur_steps * step_s))
+
+
+def _settling(
+    found: Sequence[Candidate], smoothed: Smoothed, settings: SegmentationSettings
+) -> Array:
+    """Return how little the hand moves from each rest to the next, unless the gripper acts."""
+    settling = np.zeros(len(found))
+    if len(found) < 2:
+        return settling
+    poses = poses_at(smoothed.t_s, smoothed.path, np.array([spot.at_s for spot in found]))
+    extent_m = float(np.linalg.norm(np.ptp(smoothed.path[:, :3], axis=0))) + 1e-6
+    turned_m = settings.signals.turn_weight_m * angle_between(poses[1:], poses[:-1])
+    moved = np.hypot(distance_between(poses[1:], poses[:-1]), turned_m) / extent_m
+    for k, (here, then) in enumerate(pairwise(found)):
+        if not (here.gripper or then.gripper or here.jolt or then.jolt or here.part or then.part):
+            settling[k] = np.exp(-0.5 * (moved[k] / settings.signals.correction) ** 2)
+    return settling
 
 
 def _bends(at_s: Array, smoothed: Smoothed) -> Array:

@@ -1,7 +1,8 @@
 """Probabilities that mean what they say: how sure the robot is of a cut and of an assignment.
 
-The decoder's own chances know only what it weighed. Whether a cut is right also depends on
-what kind of evidence stands behind it; a logistic regression joins both.
+The decoder's share of all readings that cut here is the ground. It knows only what it weighed,
+and believes the signals to be independent; a logistic regression on few features corrects it.
+Its weights come from `tests.benchmarks.bench_confidence`, which prints them.
 """
 
 from __future__ import annotations
@@ -16,43 +17,50 @@ from assistant.learning.reading import Understood, local_scores
 from assistant.model.settings import SegmentationSettings
 
 FEATURES = (
-    "odds",
-    "timing",
+    "right",
+    "timely",
     "gripper",
-    "rest",
     "heard",
-    "spoken",
-    "off",
-    "depth",
-    "jolt",
     "alone",
-    "unseen",
-    "odds unseen",
+    "near",
+    "usual",
+    "no cues",
 )
 """What a cut's confidence is made of.
 
-``odds``: log odds of the decoder; ``timing``: log of the chance that the instant, as well as
-it is known, is no more than half a second off; ``gripper``, ``rest`` (in tenths of the mean
-step), ``heard`` (proposed by a cue only), ``depth``, ``jolt``: the evidence at the cut;
-``spoken``: a cue agrees; ``off``: by how many jitters the nearest cue misses; ``alone``: the
-motion without cues is cut here too; ``unseen``: the gripper is not recorded.
+``right``: log odds that the same primitive ends here, to half a second; ``timely``: of the
+half second alone; ``gripper``: it acted here; ``heard``: proposed by a cue only; ``alone``: the
+motion without cues is cut here too; ``near``: log odds that anything is cut near; ``usual``:
+mean log odds of all the lesson's cuts; ``no cues``: the teacher said nothing.
 """
 
-_WEIGHTS = np.array([0.26, 2.78, 2.81, 1.61, 0.72, -1.31, -0.57, 0.41, 0.43, 0.34, 0.44, -0.34])
-_BIAS = 1.68
-"""Fitted on made-up demonstrations of seeds that no benchmark uses, and on people's."""
+WEIGHTS = np.array([0.17, 0.20, 1.05, 0.59, 0.17, 0.29, -0.02, -0.09])
+BIAS = -0.64
+"""Source: `python -m tests.benchmarks.bench_confidence --fit`."""
 
-_ALL_WEIGHTS = np.array([0.83, 0.27, -2.03, -0.28, -0.29, 0.46, -3.36])
-_ALL_BIAS = -0.07
-"""Of `all_right`; fitted on the same demonstrations."""
+WHOLE_FEATURES = ("product", "whole", "timely", "silent", "unlike", "fit")
+"""What the confidence in all cuts together is made of.
+
+``product``: log odds that all are right if they were independent; ``whole``: of the decoder's
+share of readings with just these cuts and primitives; ``timely``: that all are within half a
+second; ``silent``: cuts that no cue tells; ``unlike``: primitives left empty and steps nobody
+introduced; ``fit``: log odds of the primitive its stretch fits worst, where below even.
+"""
+
+WHOLE_WEIGHTS = np.array([0.63, 0.21, 0.13, -0.14, -2.72, 0.3])
+WHOLE_BIAS = -0.21
+"""Source: as above."""
 
 _NEAR_S = 0.25
 _SAME_S = 0.4
 _OFF_S = 0.5
+_HEARD_S = 0.3
+_LEAST = 1e-3
+_LEAST_FIT = -10.0
 _UNKNOWN_LAG = Lag(np.zeros(1), np.ones(1), 0.3)
 
 
-def cut_confidence(understood: Understood, node: int, cues_s: Array, *, seen: bool) -> float:
+def cut_confidence(understood: Understood, node: int, cues_s: Array) -> float:
     """Return the probability that a cut belongs at a node of the reading.
 
     Parameters
@@ -62,40 +70,31 @@ def cut_confidence(understood: Understood, node: int, cues_s: Array, *, seen: bo
         Index into its instants.
     cues_s : array, shape (c,)
         Cues without the teacher's lag.
-    seen : bool
-        Whether the gripper was recorded.
     """
-    return _sigmoid(float(features(understood, node, cues_s, seen=seen) @ _WEIGHTS + _BIAS))
+    return _sigmoid(float(features(understood, node, cues_s) @ WEIGHTS + BIAS))
 
 
-def features(understood: Understood, node: int, cues_s: Array, *, seen: bool) -> Array:
-    """Return the values of `FEATURES` for a node."""
+def features(understood: Understood, node: int, cues_s: Array) -> Array:
+    """Return the values of `FEATURES` for a node, shape (8,)."""
     spot = understood.candidates[node - 1]
     at_s = float(understood.at_s[node])
-    odds = _log_odds(_same_chance(understood, node))
-    usual_s = float(np.ptp(understood.at_s)) / max(len(understood.order), 1)
-    jitter_s = (understood.lag or _UNKNOWN_LAG).jitter_s
-    away_s = float(np.min(np.abs(cues_s - at_s))) if len(cues_s) else math.inf
-    spoken = away_s < _OFF_S
+    same, timely = _same_chance(understood, node), _timely(understood, node, cues_s)
+    nodes = understood.reading.nodes[1:-1]
     return np.array(
         [
-            odds,
-            _log_timely(spot.blur_s, jitter_s, spoken=spoken, heard=spot.heard),
+            _log_odds(same * timely),
+            _log_odds(timely),
             float(spot.gripper),
-            np.log1p(spot.rest_s / (0.1 * usual_s)),
             float(spot.heard),
-            float(spoken),
-            min(away_s / jitter_s, 5.0) if len(cues_s) else 0.0,
-            min(spot.depth, 2.0),
-            np.log1p(spot.jolt),
             float(_agrees(understood, at_s)),
-            float(not seen),
-            0.0 if seen else odds,
+            _log_odds(chance_near(understood, at_s, _OFF_S)),
+            np.mean([_log_odds(_same_chance(understood, each)) for each in nodes]),
+            float(len(cues_s) == 0),
         ]
     )
 
 
-def all_right(understood: Understood, confidences: Array, cues_s: Array, *, seen: bool) -> float:
+def all_right(understood: Understood, confidences: Array, cues_s: Array) -> float:
     """Return the probability that all cuts are right and none is missing.
 
     Parameters
@@ -105,38 +104,36 @@ def all_right(understood: Understood, confidences: Array, cues_s: Array, *, seen
         Of its cuts.
     cues_s : array, shape (c,)
         Cues without the teacher's lag.
-    seen : bool
-        Whether the gripper was recorded.
     """
-    told = whole_features(understood, confidences, cues_s, seen=seen)
-    return _sigmoid(float(told @ _ALL_WEIGHTS + _ALL_BIAS))
+    told = whole_features(understood, confidences, cues_s)
+    return _sigmoid(float(told @ WHOLE_WEIGHTS + WHOLE_BIAS))
 
 
-def whole_features(
-    understood: Understood, confidences: Array, cues_s: Array, *, seen: bool
-) -> Array:
-    """Return what the confidence in all cuts together is made of, shape (7,).
-
-    Log odds that all cuts are right if they were independent, and of the least sure one; the
-    share of cuts no cue tells; cues no cut explains; cuts the motion alone does not show; log
-    of the number of primitives; whether the gripper was not recorded.
-    """
-    cuts_s = understood.at_s[list(understood.reading.nodes[1:-1])]
-    away_s = np.abs(cuts_s[:, None] - cues_s[None, :])
-    silent = np.min(away_s, axis=1, initial=math.inf) >= _OFF_S
-    idle = np.min(away_s, axis=0, initial=math.inf) >= _OFF_S
-    alone = [_agrees(understood, float(at)) for at in cuts_s]
+def whole_features(understood: Understood, confidences: Array, cues_s: Array) -> Array:
+    """Return the values of `WHOLE_FEATURES`, shape (6,)."""
+    taken, nodes = understood.reading.taken, understood.reading.nodes[1:-1]
+    silent = [not _spoken(float(understood.at_s[node]), cues_s) for node in nodes]
+    unnamed = sum(position is None for position in taken)
     return np.array(
         [
-            _log_odds(float(np.prod(confidences)), 1e-4),
-            _log_odds(float(np.min(confidences, initial=1.0))),
-            float(np.mean(silent)) if len(silent) else 0.0,
-            float(np.sum(idle)) if len(cuts_s) else 0.0,
-            float(len(alone) - sum(alone)),
-            math.log(max(len(understood.order), 1)),
-            float(not seen),
+            _log_odds(float(np.prod(confidences))),
+            _log_odds(understood.whole_chance),
+            _log_odds(math.prod(_timely(understood, node, cues_s) for node in nodes)),
+            float(sum(silent)) if len(cues_s) else 0.0,
+            float(unnamed + len(understood.order) - (len(taken) - unnamed)),
+            min(_worst_fit(understood), 0.0),
         ]
     )
+
+
+def _worst_fit(understood: Understood) -> float:
+    """Return how well the least fitting stretch fits its primitive, in log odds."""
+    lattice, reading = understood.lattice, understood.reading
+    if lattice is None:
+        return 0.0
+    stretches = zip(reading.nodes[:-1], reading.nodes[1:], reading.taken, strict=True)
+    told = [float(lattice.steps[a, b, at]) for a, b, at in stretches if at is not None]
+    return max(min(told, default=0.0), _LEAST_FIT)
 
 
 def _same_chance(understood: Understood, node: int) -> float:
@@ -149,19 +146,26 @@ def _agrees(understood: Understood, at_s: float) -> bool:
     return any(abs(alone_s - at_s) < _SAME_S for alone_s in understood.alone_s)
 
 
-def _log_timely(blur_s: float, jitter_s: float, *, spoken: bool, heard: bool) -> float:
-    """Return the log of the chance that an instant is no more than half a second off."""
-    spread_s = math.hypot(blur_s, 0.05)
-    if heard:
-        spread_s = max(jitter_s, 0.3)
-    elif spoken:
+def _spoken(at_s: float, cues_s: Array) -> bool:
+    return bool(np.min(np.abs(cues_s - at_s), initial=math.inf) < _OFF_S)
+
+
+def _timely(understood: Understood, node: int, cues_s: Array) -> float:
+    """Return the chance that an instant, if it is the right one, is less than half a second off."""
+    spot = understood.candidates[node - 1]
+    # The lag itself is known to a tenth of a second.
+    jitter_s = math.hypot((understood.lag or _UNKNOWN_LAG).jitter_s, 0.1)
+    spread_s = math.hypot(spot.blur_s, 0.05)
+    if spot.heard:
+        spread_s = max(jitter_s, _HEARD_S)
+    elif _spoken(float(understood.at_s[node]), cues_s):
         spread_s *= jitter_s / math.hypot(spread_s, jitter_s)
-    return math.log(max(math.erf(_OFF_S / (spread_s * math.sqrt(2.0))), 1e-6))
+    return math.erf(_OFF_S / (spread_s * math.sqrt(2.0)))
 
 
-def chance_near(understood: Understood, at_s: float) -> float:
+def chance_near(understood: Understood, at_s: float, within_s: float = _NEAR_S) -> float:
     """Return the decoder's probability of a cut near an instant."""
-    near = np.abs(understood.at_s - at_s) < _NEAR_S
+    near = np.abs(understood.at_s - at_s) < within_s
     near[0] = near[-1] = False
     return float(min(np.sum(understood.reading.cut_chances[near]), 1.0))
 
@@ -191,8 +195,8 @@ def step_confidence(understood: Understood, first: int, last: int, position: int
     return float(min(ends, np.sum(before[:, : position + 1]), 1.0))
 
 
-def _log_odds(chance: float, least: float = 1e-3) -> float:
-    inside = min(max(chance, least), 1.0 - least)
+def _log_odds(chance: float) -> float:
+    inside = min(max(chance, _LEAST), 1.0 - _LEAST)
     return float(np.log(inside / (1.0 - inside)))
 
 

@@ -14,6 +14,9 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.model.settings import CueSettings
 
+SAME_LAG_S = 0.3
+"""Lags so near to each other explain the same cues."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lag:
@@ -36,7 +39,7 @@ class Lag:
     def best_s(self) -> float:
         """The mean lag around the likeliest one."""
         peak = self.lags_s[int(np.argmax(self.chances))]
-        near = self.chances * (np.abs(self.lags_s - peak) < 0.3)
+        near = self.chances * (np.abs(self.lags_s - peak) < SAME_LAG_S)
         return float(np.sum(near * self.lags_s) / np.sum(near))
 
 
@@ -90,7 +93,7 @@ def modes(lag: Lag, most: int = 3) -> tuple[tuple[Lag, float], ...]:
     found: list[tuple[Lag, float]] = []
     while len(found) < most:
         peak = lag.lags_s[int(np.argmax(left))]
-        near = np.abs(lag.lags_s - peak) < 0.3
+        near = np.abs(lag.lags_s - peak) < SAME_LAG_S
         share = float(np.sum(left[near]))
         if found and share < 0.03:
             break

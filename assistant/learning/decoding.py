@@ -71,11 +71,11 @@ def decode(lattice: Lattice) -> Reading:
     ahead, ahead_skipped = _forward(lattice)
     behind = _backward(lattice)
     total = float(ahead_skipped[-1, -1])
-    cut = _logsum(ahead + behind, 1) - total
+    cut = log_sum(ahead + behind, 1) - total
     step = np.full((len(lattice.cuts), lattice.steps.shape[2]), -np.inf)
     for k in range(1, len(lattice.cuts)):
         into = ahead_skipped[:k, :-1] + lattice.steps[:k, k, :]
-        step[k] = _logsum(into, 0) + lattice.cuts[k] + behind[k, 1:] - total
+        step[k] = log_sum(into, 0) + lattice.cuts[k] + behind[k, 1:] - total
     return Reading(
         score,
         total,
@@ -126,7 +126,8 @@ def _best(lattice: Lattice) -> tuple[float, tuple[int, ...], tuple[int | None, .
     return float(after[-1, m]), tuple(reversed(nodes)), tuple(reversed(taken))
 
 
-def _logsum(values: Array, axis: int) -> Array:
+def log_sum(values: Array, axis: int) -> Array:
+    """Return the log of the sum of exponentials along an axis; nothing at all is -inf."""
     top = np.max(values, axis=axis, keepdims=True)
     top = np.where(np.isfinite(top), top, 0.0)
     with np.errstate(divide="ignore"):
@@ -149,7 +150,7 @@ def _forward(lattice: Lattice) -> tuple[Array, Array]:
         both = np.full((2 * k, m + 1), -np.inf)
         both[:k, 1:] = skipped[:k, :-1] + lattice.steps[:k, k, :]
         both[k:] = ahead[:k] + lattice.unnamed[:k, k, None]
-        ahead[k] = _logsum(both, 0) + lattice.cuts[k]
+        ahead[k] = log_sum(both, 0) + lattice.cuts[k]
         skipped[k] = _sum_skips(ahead[k], lattice.skips)
     return ahead, skipped
 
@@ -171,7 +172,7 @@ def _backward(lattice: Lattice) -> Array:
     for k in range(n - 2, -1, -1):
         onward = behind[k + 1 :] + lattice.cuts[k + 1 :, None]
         named = np.full(m + 1, -np.inf)
-        named[:-1] = _logsum(onward[:, 1:] + lattice.steps[k, k + 1 :, :], 0)
-        free = _logsum(onward + lattice.unnamed[k, k + 1 :, None], 0)
+        named[:-1] = log_sum(onward[:, 1:] + lattice.steps[k, k + 1 :, :], 0)
+        free = log_sum(onward + lattice.unnamed[k, k + 1 :, None], 0)
         behind[k] = np.logaddexp(_sum_skips(named[::-1], lattice.skips[::-1])[::-1], free)
     return behind

@@ -55,12 +55,11 @@ def points(
     """Return kept cuts, internal points of primitives and eliminated points, in order of time."""
     t_s = evidence.smoothed.t_s
     reading, at_s = understood.reading, understood.at_s
-    seen = evidence.smoothed.gripper_m is not None
     nodes = list(reading.nodes[1:-1])
     found = [
         SegmentationPoint(
             float(at_s[node]),
-            cut_confidence(understood, node, cues_s, seen=seen),
+            cut_confidence(understood, node, cues_s),
             _at(votes, t_s, float(at_s[node])),
         )
         for node in nodes

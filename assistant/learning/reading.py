@@ -9,10 +9,11 @@ import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
-from assistant.learning.cue_lag import Lag, estimate, modes, refined, support
+from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined, support
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.fit import fits, stretches
 from assistant.learning.introduction import orders
+from assistant.learning.posterior import cut_shares, whole_evidence
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
@@ -41,9 +42,13 @@ class Understood:
         Leaves in the order in which they were shown.
     lag : Lag or None
         None without cues.
+    lattice : Lattice or None
+        What was decoded; None where nothing was.
     cut_chances : tuple of float
         For each cut, how likely the same primitive ends there, whatever the lag; empty where
         the cuts were told.
+    whole_chance : float
+        How likely it is that all of this is right, as far as the decoder can tell.
     alone_s : tuple of float
         The cuts as read without the cues.
     """
@@ -53,7 +58,9 @@ class Understood:
     reading: Reading
     order: tuple[int, ...]
     lag: Lag | None
+    lattice: Lattice | None = None
     cut_chances: tuple[float, ...] = ()
+    whole_chance: float = 1.0
     alone_s: tuple[float, ...] = ()
 
     def leaf(self, position: int | None) -> int | None:
@@ -78,15 +85,45 @@ def read(
     blur_s = np.array([spot.blur_s for spot in understood.candidates])
     lag = estimate(cues_s, understood.at_s[1:-1], blur_s, chances, end_s, settings.cues)
     found = modes(lag)
-    ways = [
-        _read(
-            demonstration, task, evidence, settings, _with_heard(evidence, cues_s, way), cues_s, way
-        )
-        for way, _ in found
-    ]
+    lags = [way for way, _ in found]
+    ways = _with_lags(demonstration, task, evidence, settings, cues_s, lags)
+    for _ in range(settings.cues.rounds):
+        lags = [
+            _sharpened(way, lag, cues_s, end_s, settings)
+            for way, lag in zip(ways, lags, strict=True)
+        ]
+        ways = _with_lags(demonstration, task, evidence, settings, cues_s, lags)
     best = max(ways, key=lambda way: way.reading.evidence)
     best = _sure(best, ways, np.array([share for _, share in found]))
     return replace(best, at_s=_refined(best, cues_s), alone_s=alone_s)
+
+
+def _with_lags(
+    demonstration: Demonstration,
+    task: Task,
+    evidence: Evidence,
+    settings: SegmentationSettings,
+    cues_s: Array,
+    lags: Sequence[Lag],
+) -> list[Understood]:
+    """Return the readings with each of several lags."""
+    found = []
+    for lag in lags:
+        candidates = _with_heard(evidence, cues_s, lag)
+        found.append(_read(demonstration, task, evidence, settings, candidates, cues_s, lag))
+    return found
+
+
+def _sharpened(
+    way: Understood, lag: Lag, cues_s: Array, end_s: float, settings: SegmentationSettings
+) -> Lag:
+    """Return the teacher's lag, told anew by the cuts that it helped to find."""
+    blur_s = np.array([spot.blur_s for spot in way.candidates])
+    chances = way.reading.cut_chances[1:-1]
+    told = estimate(cues_s, way.at_s[1:-1], blur_s, chances, end_s, settings.cues)
+    kept = np.where(np.abs(told.lags_s - lag.best_s) < SAME_LAG_S, told.chances, 0.0)
+    total = float(np.sum(kept))
+    return replace(told, chances=kept / total) if total > 1e-9 else lag
 
 
 def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Understood:
@@ -94,24 +131,15 @@ def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Unders
     cuts_s = best.at_s[list(best.reading.nodes[1:-1])]
     odds = np.log(shares) + np.array([way.reading.evidence for way in ways])
     weights = np.exp(odds - np.max(odds))
-    each = sum(
-        weight * _same_cuts(best, way, cuts_s)
-        for way, weight in zip(ways, weights / np.sum(weights), strict=True)
-    )
-    return replace(best, cut_chances=tuple(np.asarray(each).tolist()))
-
-
-def _same_cuts(best: Understood, way: Understood, cuts_s: Array) -> Array:
-    """Return how likely, with another lag, the same primitive ends where each cut lies."""
-    near = np.abs(way.at_s[:, None] - cuts_s) <= _SAME_CUT_S
-    near[0], near[-1] = False, False
-    ends = np.empty((len(way.at_s), len(cuts_s)))
-    for k, position in enumerate(best.reading.taken[:-1]):
-        chances = way.reading.cut_chances
-        if position is not None and way.order == best.order:
-            chances = way.reading.step_chances[:, position]
-        ends[:, k] = chances
-    return np.asarray(np.minimum(np.sum(ends * near, axis=0), 1.0))
+    each, whole = np.zeros(len(cuts_s)), 0.0
+    for way, weight in zip(ways, weights / np.sum(weights), strict=True):
+        same = way.order == best.order
+        taken = best.reading.taken if same else (None,) * len(best.reading.taken)
+        each += weight * cut_shares(way.reading, way.at_s, cuts_s, taken, _SAME_CUT_S)
+        if same and way.lattice is not None:
+            told = whole_evidence(way.lattice, way.at_s, cuts_s, taken, _SAME_CUT_S)
+            whole += float(weight * np.exp(told - way.reading.evidence))
+    return replace(best, cut_chances=tuple(each.tolist()), whole_chance=min(whole, 1.0))
 
 
 def _refined(understood: Understood, cues_s: Array) -> Array:
@@ -160,6 +188,7 @@ def local_scores(candidates: Sequence[Candidate], usual_s: float, given: Decodin
             + given.jolt * np.log1p(spot.jolt)
             - given.part * spot.part
             - given.heard * spot.heard
+            - given.settling * spot.settling
             for spot in candidates
         ]
     ).reshape(len(candidates))
@@ -215,11 +244,12 @@ def _read(
         [given.skip_optional if leaf.optional else given.skip for leaf in leaves]
     )
     ways = [
-        (decode(Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)])), order)
+        Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)])
         for order in orders(task)
     ]
-    reading, order = max(ways, key=lambda way: way[0].evidence)
-    return Understood(at_s, candidates, reading, order, lag)
+    read = [(decode(way), way, order) for way, order in zip(ways, orders(task), strict=True)]
+    reading, lattice, order = max(read, key=lambda way: way[0].evidence)
+    return Understood(at_s, candidates, reading, order, lag, lattice)
 
 
 def _heard(

@@ -57,7 +57,7 @@ def segment(
         that carries something.
     """
     settings = settings or SegmentationSettings()
-    evidence = _evidence(demonstration, task, settings)
+    evidence = gathered(demonstration, task, settings)
     if cuts_s is None and settings.method == "paper":
         from assistant.learning.paper_method import read_as_printed
 
@@ -70,23 +70,28 @@ def segment(
     return _told(demonstration, task, evidence, understood, settings, assigned, told=told)
 
 
-def _evidence(demonstration: Demonstration, task: Task, settings: SegmentationSettings) -> Evidence:
+def gathered(demonstration: Demonstration, task: Task, settings: SegmentationSettings) -> Evidence:
+    """Return what the signals say; a recording nothing can be learned from is refused."""
     recording = demonstration.recording
     if len(recording.t_s) < _FEWEST_SAMPLES:
         raise NothingLearned(
             f"the recording has {len(recording.t_s)} samples, too few to learn from; "
-            f"at least {_FEWEST_SAMPLES} are needed"
+            f"at least {_FEWEST_SAMPLES} are needed",
+            "too_short",
         )
     if not primitives(task.tree):
-        raise NothingLearned("the task has no steps yet; introduce at least one")
+        raise NothingLearned("the task has no steps yet; introduce at least one", "no_steps")
     evidence = gather(demonstration, smooth(recording, settings.smoothing), settings)
     if float(np.max(evidence.pace)) < settings.signals.least_pace_m_s:
-        raise NothingLearned("the hand never moves in this demonstration; show the task once more")
+        raise NothingLearned(
+            "the hand never moves in this demonstration; show the task once more", "never_moved"
+        )
     closes = any(event.kind == "close" for event in evidence.events)
     if recording.gripper_m is not None and not closes and _carries(task):
         raise NothingLearned(
             "the hand never closes in this demonstration, so nothing was picked up; "
-            "show the task once more and close the hand on the object"
+            "show the task once more and close the hand on the object",
+            "never_closed",
         )
     return evidence
 
@@ -134,8 +139,7 @@ def _told(
     sure = 1.0
     if not told:
         cuts = [point.confidence for point in found if point.kept and not point.internal]
-        seen = demonstration.recording.gripper_m is not None
-        sure = all_right(understood, np.array(cuts), cues_s, seen=seen)
+        sure = all_right(understood, np.array(cuts), cues_s)
     return Segmentation(
         points=found,
         episodes=parts,

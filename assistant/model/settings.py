@@ -90,6 +90,12 @@ class BlendingSettings:
     """But no more than this share of the way between two stations."""
     least_radius_m: float = 0.10
     """Paths that come nearer to the base's axis are not turned with the azimuth."""
+    keep_out: float = 0.9
+    """A way to another azimuth stays so far out, as a share of the distances it leads between."""
+    jerk_share: float = 1.05
+    """Of the demonstration's jerk: a way that has more is evened out."""
+    even_m: float = 0.010
+    """But it is led no further than this from where it would be."""
     rise_from: float = 0.40
     """Share of the way between stations from which lambda1 rises to 1."""
     fall_by: float = 0.35
@@ -126,6 +132,8 @@ class SignalSettings:
     blur_of_rest: float = 0.12
     blur_steps: float = 0.9
     """The middle of a rest is known to this share of it, and to so many steps of the recording."""
+    correction: float = 0.015
+    """Share of the motion's extent that a correction of a reach spans."""
     least_pace_m_s: float = 1e-4
     """A hand that never goes faster never moved."""
 
@@ -209,6 +217,8 @@ class CueSettings:
     jitters_s: tuple[float, ...] = (0.08, 0.15, 0.25)
     false_share: float = 0.15
     least_missing: float = 0.08
+    rounds: int = 1
+    """How often the lag is told anew from the cuts it helped to find."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,6 +237,7 @@ class DecodingSettings:
     jolt: float = 1.6
     part: float = 1.0
     heard: float = 0.7
+    settling: float = 1.5
     direction: float = 5.0
     still: float = 1.6
     wide: float = 8.0

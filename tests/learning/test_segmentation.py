@@ -17,6 +17,7 @@ from assistant.model.setup import Setup
 from assistant.model.task import Action, Primitive, Subtask, primitives
 from tests.generators import generator_a, generator_b
 from tests.generators.shown import Habit, Shown
+from tests.learning import lessons
 
 SEEDS = range(70_000, 70_004)
 
@@ -237,3 +238,23 @@ def test_the_papers_method_stays_available() -> None:
     assert len(found.cuts_s) >= 1
     assert {episode.primitive for episode in found.episodes} <= set(shown.names)
     assert set(found.signal_votes) == {"gripper", "speed", "cue"}
+
+
+def test_a_made_demonstration_is_cut_into_what_it_shows() -> None:
+    """Drawing back after placing is a step of its own, asked about where nobody named it."""
+    shown, task = lessons.demonstration(), lessons.task()
+    found = segment(shown, task)
+    assert np.allclose(found.cuts_s, [*lessons.CUTS_S, 14.0], atol=0.1)
+    assert found.episodes[-1].primitive is None
+    assert "never_introduced" in [one.reason for one in found.questions]
+    leaves = (*primitives(task.tree), Primitive("leave", Action("move", "depart", "target")))
+    named = segment(shown, replace(task, tree=Subtask("all", leaves)))
+    assert np.allclose(named.cuts_s, [*lessons.CUTS_S, 14.0], atol=0.1)
+    assert named.questions == ()
+    upto = shown.recording.t_s < 14.4
+    gripper = shown.recording.gripper_m
+    assert gripper is not None
+    short = Recording(shown.recording.t_s[upto], shown.recording.path[upto], gripper[upto])
+    found = segment(replace(shown, recording=short), task)
+    assert np.allclose(found.cuts_s, lessons.CUTS_S, atol=0.1)
+    assert found.questions == ()

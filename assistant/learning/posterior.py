@@ -1,0 +1,65 @@
+"""How much of all readings together agrees with the best one: sums over the decoder's chain.
+
+A cut is as sure as the share of readings that end the same primitive near it; a lesson is as
+sure as the share that has all of its cuts so, and no other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.learning.decoding import Lattice, Reading, log_sum
+
+
+def cut_shares(
+    reading: Reading, at_s: Array, cuts_s: Array, taken: Sequence[int | None], within_s: float
+) -> Array:
+    """Return how likely the same primitives end near the cuts of another reading, shape (k,).
+
+    Parameters
+    ----------
+    reading : Reading
+    at_s : array, shape (n,)
+        Its instants.
+    cuts_s : array, shape (k,)
+    taken : sequence of (int or None), length k + 1
+        Positions of the primitives between the cuts; None asks for any cut.
+    within_s : float
+    """
+    near = np.abs(at_s[:, None] - cuts_s) <= within_s
+    near[0], near[-1] = False, False
+    ends = [
+        reading.cut_chances if position is None else reading.step_chances[:, position]
+        for position in taken[:-1]
+    ]
+    told = np.stack(ends, axis=1) if ends else np.zeros((len(at_s), 0))
+    return np.asarray(np.minimum(np.sum(told * near, axis=0), 1.0))
+
+
+def whole_evidence(
+    lattice: Lattice, at_s: Array, cuts_s: Array, taken: Sequence[int | None], within_s: float
+) -> float:
+    """Return the log of the sum over the readings that have just these cuts and primitives.
+
+    Against `Reading.evidence` it tells the probability that the whole reading is right.
+    Parameters are those of `cut_shares`.
+    """
+    windows = [np.flatnonzero(np.abs(at_s[1:-1] - cut) <= within_s) + 1 for cut in cuts_s]
+    if any(len(window) == 0 for window in windows):
+        return -np.inf
+    nodes = [np.array([0]), *windows, np.array([len(at_s) - 1])]
+    ahead, done = np.zeros(1), 0
+    for before, after, position in zip(nodes[:-1], nodes[1:], taken, strict=True):
+        between = np.ix_(before, after)
+        if position is None:
+            spent = lattice.unnamed[between]
+        else:
+            spent = lattice.steps[:, :, position][between] + np.sum(lattice.skips[done:position])
+            done = position + 1
+        later = at_s[after][None, :] > at_s[before][:, None]
+        spent = np.where(later, spent, -np.inf)
+        ahead = log_sum(ahead[:, None] + spent, 0) + lattice.cuts[after]
+    return float(log_sum(ahead, 0) + np.sum(lattice.skips[done:]))

@@ -1,0 +1,81 @@
+from __future__ import annotations
+
+from itertools import combinations, pairwise, product
+
+import numpy as np
+import pytest
+
+from assistant.geometry import Array
+from assistant.learning.decoding import Lattice, decode
+from assistant.learning.posterior import cut_shares, whole_evidence
+
+AT_S = np.array([0.0, 1.0, 1.2, 2.5, 4.0])
+
+
+def lattice(seed: int, leaves: int = 2) -> Lattice:
+    rng = np.random.default_rng(seed)
+    n = len(AT_S)
+    cuts = np.zeros(n)
+    cuts[1:-1] = rng.normal(0.0, 1.0, n - 2)
+    return Lattice(
+        cuts, rng.normal(0.0, 2.0, (n, n, leaves)), rng.normal(-2.0, 1.0, (n, n)), -np.ones(leaves)
+    )
+
+
+def readings(given: Lattice) -> list[tuple[tuple[int, ...], tuple[int | None, ...], float]]:
+    """Return all readings one by one, with their scores: nodes, primitives, log weight."""
+    n, m = len(given.cuts), len(given.skips)
+    found = []
+    for size in range(n - 1):
+        for inner in combinations(range(1, n - 1), size):
+            nodes = (0, *inner, n - 1)
+            for taken in product([None, *range(m)], repeat=size + 1):
+                named = [at for at in taken if at is not None]
+                if any(b <= a for a, b in pairwise(named)):
+                    continue
+                score = float(np.sum(given.cuts[list(inner)]))
+                for a, b, at in zip(nodes[:-1], nodes[1:], taken, strict=True):
+                    score += float(given.unnamed[a, b] if at is None else given.steps[a, b, at])
+                score += float(sum(given.skips[at] for at in range(m) if at not in named))
+                found.append((nodes, taken, score))
+    return found
+
+
+def total(scores: list[float]) -> float:
+    return float(np.log(np.sum(np.exp(scores))))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_the_share_of_readings_like_the_best_is_what_counting_gives(seed: int) -> None:
+    given = lattice(seed)
+    best = decode(given)
+    every = readings(given)
+    assert best.evidence == pytest.approx(total([score for _, _, score in every]))
+    cuts_s: Array = AT_S[list(best.nodes[1:-1])]
+    for within_s in (0.1, 0.3):
+        alike = [
+            score
+            for nodes, taken, score in every
+            if taken == best.taken and np.all(np.abs(AT_S[list(nodes[1:-1])] - cuts_s) <= within_s)
+        ]
+        told = whole_evidence(given, AT_S, cuts_s, best.taken, within_s)
+        assert told == pytest.approx(total(alike))
+
+
+def test_no_reading_has_a_cut_where_there_is_no_instant() -> None:
+    assert whole_evidence(lattice(0), AT_S, np.array([3.3]), (0, 1), 0.2) == -np.inf
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_shares_of_cuts_are_sums_over_readings(seed: int) -> None:
+    given = lattice(seed)
+    best, every = decode(given), readings(given)
+    whole = total([score for _, _, score in every])
+    (share,) = cut_shares(best, AT_S, np.array([1.1]), (0, 1), 0.15)
+    ends = [
+        score
+        for nodes, taken, score in every
+        for end, at in zip(nodes[1:], taken, strict=True)
+        if at == 0 and end in (1, 2)
+    ]
+    assert share == pytest.approx(np.exp(total(ends) - whole))
