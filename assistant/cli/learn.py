@@ -63,6 +63,9 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _read_all(paths: Sequence[Path], read: Any) -> list[Demonstration]:
+    """Return all demonstrations; what is odd in them is told, and learned from all the same."""
+    from assistant.files.oddities import odd_demonstration
+
     shown: list[Demonstration] = []
     problems: list[Problem] = []
     for path in paths:
@@ -72,6 +75,9 @@ def _read_all(paths: Sequence[Path], read: Any) -> list[Demonstration]:
             problems.extend(error.problems)
     if problems:
         raise BadInput(problems)
+    for one, path in zip(shown, paths, strict=True):
+        for odd in odd_demonstration(one, str(path)):
+            print(f"warning: {odd}", file=sys.stderr)
     return shown
 
 

@@ -11,7 +11,7 @@ import fcntl
 from pathlib import Path
 from typing import IO
 
-from assistant.errors import BadInput, WorkFailed
+from assistant.errors import BadInput, Problem, WorkFailed
 from assistant.files.transcripts import (
     append_step,
     begin_journal,
@@ -22,6 +22,7 @@ from assistant.model.transcript import Step, Transcript
 
 NAME = "journal.yaml"
 LOCK = "lock"
+ROOM = "name a folder you may write in, with room left"
 
 
 class Journal:
@@ -85,6 +86,8 @@ class Journal:
     def fail(self, error: Exception) -> None:
         """Write nothing any more, and remember why."""
         problems = error.problems if isinstance(error, BadInput) else ()
+        if isinstance(error, OSError):
+            problems = (Problem(str(error.filename or self.folder), str(error.strerror), ROOM),)
         self.trouble = str(problems[0]) if problems else str(error)
 
     def close(self) -> None:

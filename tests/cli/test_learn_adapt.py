@@ -30,6 +30,22 @@ def told(capsys: pytest.CaptureFixture[str]) -> list[dict[str, object]]:
     return [json.loads(line) for line in capsys.readouterr().out.splitlines()]
 
 
+def test_what_is_odd_in_a_recording_is_told_and_learned_from_all_the_same(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    shown = demonstration()
+    path = np.array(shown.recording.path)
+    path[100, :3] += 1.0
+    recording = Recording(shown.recording.t_s, path, shown.recording.gripper_m)
+    write_demonstration(replace(shown, recording=recording), folder / "jump.yaml")
+    words = ["learn", str(folder / "jump.yaml"), "--task", str(folder / "tree.yaml"), "--json"]
+    assert main(words) == 0
+    printed = capsys.readouterr()
+    assert "warning:" in printed.err
+    assert "the hand jumps" in printed.err
+    assert json.loads(printed.out)["episodes"]
+
+
 def test_learn_tells_and_writes_what_adapt_reads(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -80,6 +80,16 @@ def test_a_disk_that_fails_ends_the_writing_and_not_the_session(tmp_path: Path) 
     journal.close()
 
 
+def test_a_folder_that_refuses_is_told_with_its_place_and_what_would_be_right(
+    tmp_path: Path,
+) -> None:
+    journal = Journal(tmp_path)
+    journal.fail(OSError(30, "Read-only file system", "/mnt/sessions/3"))
+    assert journal.trouble == (
+        "/mnt/sessions/3: Read-only file system; name a folder you may write in, with room left"
+    )
+
+
 def test_no_such_session_is_told(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match="no such session"):
         Journal(tmp_path / "7").resume()
