@@ -103,12 +103,29 @@ def forbidden(found: Answers, flags: Flags, fine: FinePath) -> Refusal:
         return _out_of_reach(fine, _told(flags & ~np.isfinite(found.margin).any(axis=1), fine))
     beyond = _told(flags & (found.margin[:, branch] < 0.0), fine)
     if not beyond.any():
-        return Refusal("joint_limit", place_name(fine, 0), "joint 4", 0.0, "deg", "turn")
+        return _turned_through(found, flags, fine)
     sample = int(np.argmin(np.where(beyond, found.margin[:, branch], np.inf)))
     over = np.abs(found.q[sample, branch]) - a465.LIMITS
     joint = int(np.argmax(over))
     by = math.degrees(float(over[joint]))
     return joint_refusal(place_name(fine, sample), joint, by)
+
+
+def _turned_through(found: Answers, flags: Flags, fine: FinePath) -> Refusal:
+    """Return which joint would have to turn through its limits within an exact stretch."""
+    both = flags[1:] & flags[:-1]
+    fit = np.flatnonzero(np.all((found.margin >= 0.0) | ~flags[:, None], axis=0))
+    turns = np.where(both[:, None, None], np.abs(np.diff(found.q[:, fit], axis=0)), 0.0)
+    least = int(np.argmin(turns.max(axis=(0, 2))))
+    sample, joint = np.unravel_index(int(np.argmax(turns[:, least])), turns[:, least].shape)
+    first = last = int(sample)
+    while first > 0 and flags[first - 1]:
+        first -= 1
+    while last < len(flags) - 1 and flags[last + 1]:
+        last += 1
+    way = np.unwrap(found.q[first : last + 1, fit[least], joint])
+    by = math.degrees(float(np.max(np.abs(way)) - a465.LIMITS[joint]))
+    return joint_refusal(place_name(fine, int(sample)), int(joint), max(by, 0.0))
 
 
 def joint_refusal(where: str, joint: int, by_deg: float) -> Refusal:

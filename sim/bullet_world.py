@@ -8,23 +8,28 @@ a body to the hand.
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 
-from assistant.geometry import Array, compose, inverse
+from assistant.geometry import Array, angle_between, compose, inverse
 from assistant.model.scene import Scene
 from sim import a465
 from sim.bullet_bodies import add_body, add_obstacle, middle_in_base
 from sim.bullet_client import Client
 from sim.bullet_settings import BulletSettings
+from sim.kinematics import forward
 from sim.touching import contents
 from sim.urdf import ARM_JOINTS, FINGER_JOINTS, PAD_LINKS, write_urdf
 from sim.world import CONTROL_S, EASED, Allowed, Fault
 
 OTHER, LINK, FORCE = 2, 3, 9
 """Fields of a contact point: the other body, the own link, the normal force."""
+RENEW_RAD = np.deg2rad(5.0)
+"""Contacts of a hand that has turned by more are found anew; each time a body may slip a little."""
+LATER_TICKS = 2
+"""The second pad finds its contacts so long after the first."""
 
 
 class BulletWorld:
@@ -72,6 +77,7 @@ class BulletWorld:
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
         self._easing = "nothing"
         self._eased = False
+        self._found_at, self._late = forward(q), 0
         self._anchor("")
         self.seat(q)
 
@@ -123,6 +129,7 @@ class BulletWorld:
         force = settings.grip_n * allowed.grip
         self._anchor(allowed.grasped if allowed.grip < 1.0 else "")
         self._let_go(allowed.grip <= EASED)
+        self._renew(hand)
         six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
         for k in range(self._steps):
             share = k / self._steps
@@ -176,7 +183,24 @@ class BulletWorld:
         if eased == self._eased:
             return
         self._eased = eased
-        for pad in self._pads:
+        self._forget(self._pads)
+
+    def _renew(self, hand: Array) -> None:
+        """Let the engine find the pads' contacts anew once the hand has turned, one by one.
+
+        An anchored contact keeps the direction it had in the world when it began: on a hand that
+        turns, the pads would soon press along what is no longer across them, and at some instant
+        slip by a millimetre. While one pad finds its contacts the other holds the body.
+        """
+        if self._late == 1:
+            self._forget(self._pads[1:])
+        self._late = max(self._late - 1, 0)
+        if float(angle_between(hand, self._found_at)) > RENEW_RAD:
+            self._found_at, self._late = hand, LATER_TICKS
+            self._forget(self._pads[:1])
+
+    def _forget(self, pads: Sequence[int]) -> None:
+        for pad in pads:
             # Leaving and entering the groups that may touch drops what is kept of them.
             for group, mask in ((0, 0), (1, -1)):
                 self._client.setCollisionFilterGroupMask(self._arm, pad, group, mask)

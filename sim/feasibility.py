@@ -39,6 +39,8 @@ class Posture:
         Bodies elsewhere, by their base.
     near : tuple of str
         Bodies the fingers may touch here.
+    joined : bool
+        Reached from the posture before with nothing in between where a joint could turn back.
     """
 
     hand: Array
@@ -47,13 +49,18 @@ class Posture:
     held_in_hand: Array
     standing: dict[str, Array]
     near: tuple[str, ...] = ()
+    joined: bool = False
 
 
 def reachable(postures: Sequence[Posture], scene: Scene) -> bool:
     """Return whether one branch holds all postures, within limits and touching nothing."""
     answers = inverse_all(np.stack([posture.hand for posture in postures]))
-    fit = np.asarray(within_limits(answers))
-    for branch in np.flatnonzero(fit.all(axis=0)):
+    fit = np.asarray(within_limits(answers)).all(axis=0)
+    joined = np.array([posture.joined for posture in postures[1:]], dtype=bool)
+    # A joint that comes out at its other end would have had to turn through its limits.
+    turns = np.abs(np.diff(answers, axis=0)).max(axis=-1)[joined]
+    fit &= np.all(turns < np.pi, axis=0)
+    for branch in np.flatnonzero(fit):
         pairs = zip(answers[:, branch], postures, strict=True)
         if not any(_touches(q, posture, scene) for q, posture in pairs):
             return True
@@ -66,12 +73,18 @@ def _touches(q: Array, posture: Posture, scene: Scene) -> bool:
         for thing, pose, size in boxes:
             if name == "upper arm" and thing in ("base", "floor"):
                 continue
-            if name in ("fingers", "carried") and thing in posture.near:
+            if thing in posture.near and (name in ("fingers", "carried") or _marks(scene, thing)):
                 continue
             local = transform_points(inverse(pose), points) - [0.0, 0.0, size[2] / 2]
             if np.any(np.all(np.abs(local) < size / 2 + keep, axis=1)):
                 return True
     return False
+
+
+def _marks(scene: Scene, name: str) -> bool:
+    """Return whether a body only marks a place, or stands open for what is put there."""
+    body = scene.bodies.get(name)
+    return body is not None and body.mass_kg == 0.0 and not any(body.hole_mm)
 
 
 def _boxes(posture: Posture, scene: Scene) -> Iterator[tuple[str, Array, Array]]:

@@ -14,26 +14,25 @@ from typing import Literal
 import numpy as np
 
 from assistant.errors import WorkFailed
-from assistant.geometry import Array, compose, interpolate, inverse, pose_from_mm_deg
+from assistant.geometry import Array, compose, interpolate, inverse
 from assistant.model.lesson import Station
-from assistant.model.scene import Obstacle, Scene
+from assistant.model.scene import Scene
 from assistant.model.setup import READY, Place, Setup, Triple
 from assistant.model.task import Task
 from sim.a465 import GRIPPER
+from sim.arranging import arranged
 from sim.feasibility import Posture, reachable
 
 Sector = Literal["front", "all"]
 
 FRONT_DEG, ALL_DEG = 70.0, 180.0
-NEAR_M, FAR_M = 0.38, 0.85
-"""Where bodies are put, by their distance from the base's axis."""
-YAW_DEG = 60.0
-"""How far a body's approach is turned from the ray that leads to it."""
-APART_M = 0.13
-"""Between the middles of bodies."""
 TRIES = 4000
 BETWEEN = 9
 """Postures looked at from docking to grasp or release."""
+ALONG = 25
+"""Postures looked at along a push."""
+EVERY = 20
+"""Samples of a learned path between the postures of a pour or a wipe."""
 
 
 def random_setup(
@@ -102,58 +101,10 @@ def _half_deg(sector: Sector) -> float:
 
 
 def _drawn(
-    task: Task,
-    scene: Scene,
-    random: np.random.Generator,
-    sector: Sector,
-    start: Place,
+    task: Task, scene: Scene, random: np.random.Generator, sector: Sector, start: Place
 ) -> Setup | None:
-    half = _half_deg(sector)
-    places: dict[str, Place] = {}
-    spots: list[Array] = []
-    for name in _concerned(task):
-        spot = _spot(random, half)
-        if any(np.hypot(*(spot[:2] - other[:2])) < APART_M for other in spots):
-            return None
-        table = _table_under(scene, spot)
-        if table is None:
-            return None
-        spots.append(spot)
-        places[name] = _place(scene, name, spot, table)
-    return Setup("random", scene.name, start, places)
-
-
-def _concerned(task: Task) -> tuple[str, ...]:
-    """Return the things a task tells of, and those only its lesson came upon."""
-    stations = task.learned.stations if task.learned else ()
-    met = (name for one in stations for name in (one.object, one.frame) if name)
-    return tuple(dict.fromkeys((*(one.name for one in task.objects), *met)))
-
-
-def _spot(random: np.random.Generator, half_deg: float) -> Array:
-    """Return x, y in m and yaw in deg; evenly over the ring's area."""
-    radius = np.sqrt(random.uniform(NEAR_M**2, FAR_M**2))
-    azimuth = random.uniform(-half_deg, half_deg)
-    x, y = radius * np.cos(np.deg2rad(azimuth)), radius * np.sin(np.deg2rad(azimuth))
-    return np.array([x, y, azimuth + random.uniform(-YAW_DEG, YAW_DEG)])
-
-
-def _place(scene: Scene, name: str, spot: Array, table: Obstacle) -> Place:
-    height = table.xyz_mm[2] + table.size_mm[2]
-    xyz: Triple = (round(1000 * float(spot[0]), 1), round(1000 * float(spot[1]), 1), height)
-    yaw = (round(float(spot[2]), 1) + 180.0) % 360.0 - 180.0
-    if name in scene.bodies:
-        return Place("body", xyz, (0.0, 0.0, yaw))
-    return Place("hand", (xyz[0], xyz[1], height + 60.0), (0.0, 0.0, yaw))
-
-
-def _table_under(scene: Scene, spot: Array) -> Obstacle | None:
-    for table in scene.tables:
-        pose = pose_from_mm_deg(table.xyz_mm, table.rpy_deg)
-        local = compose(inverse(pose), np.array([spot[0], spot[1], 0.0, 0.0, 0.0, 0.0, 1.0]))
-        if np.all(np.abs(local[:2]) < np.array(table.size_mm[:2]) / 2000.0 - 0.04):
-            return table
-    return None
+    places = arranged(task, scene, random, _half_deg(sector))
+    return None if places is None else Setup("random", scene.name, start, places)
 
 
 def _start(random: np.random.Generator, half_deg: float) -> Place:
@@ -173,6 +124,7 @@ def _rounded(values: tuple[float, float, float]) -> Triple:
 def postures(task: Task, scene: Scene, setup: Setup) -> list[Posture]:
     """Return what the hand must hold: the start, and every station's docking and act."""
     bodies = {n: scene.body_pose(n, p) for n, p in setup.places.items() if n in scene.bodies}
+    bodies = {n: pose for n, pose in bodies.items() if scene.bodies[n].shape != "sphere"}
     frames = {name: scene.hand_pose(name, place) for name, place in setup.places.items()}
     none = np.zeros(7)
     found = [Posture(setup.robot_start.pose, GRIPPER.open_m, "", none, bodies)]
@@ -181,15 +133,45 @@ def postures(task: Task, scene: Scene, setup: Setup) -> list[Posture]:
     if not stations:
         return found + [Posture(hand, 0.0, "", none, {}) for hand in frames.values()]
     for station in stations:
-        frame = frames[station.frame]
-        hand = compose(frame, station.hand_in_frame)
-        near = (station.object, station.frame)
-        opening = GRIPPER.open_m if not held else _width(scene, held)
-        docking = compose(frame, station.docking_in_frame)
-        for pose in interpolate(docking, hand, np.linspace(0.0, 1.0, BETWEEN)):
-            found.append(Posture(pose, opening, held, in_hand, dict(bodies), near))
-        held, in_hand = _acted(station, hand, bodies, frames, in_hand)
+        hands = _hands(task, station, frames, held)
+        opening = _width(scene, held) if held else _opening(task, station)
+        near: tuple[str, ...] = (station.object, station.frame)
+        standing = dict(bodies)
+        if station.kind == "touch":
+            # What is pushed goes along, and what wipes lies on what it wipes.
+            standing.pop(station.object, None)
+            near = (*near, *(table.name for table in scene.tables))
+        for k, pose in enumerate(hands):
+            found.append(Posture(pose, opening, held, in_hand, standing, near, k > 0))
+        if station.kind != "touch":
+            held, in_hand = _acted(station, hands[-1], bodies, frames, in_hand)
+        elif not held and station.object != station.frame:
+            bodies.pop(station.object, None)
     return found
+
+
+def _hands(task: Task, station: Station, frames: dict[str, Array], held: str) -> Array:
+    """Return flange poses, shape (m, 7), from docking to grasp or release, or of all of a touch."""
+    path = task.learned.path if task.learned else None
+    frame = frames[station.frame]
+    hand = compose(frame, station.hand_in_frame)
+    if station.kind == "touch" and not held and task.learned is not None:
+        # A push leads from the body to where it is pushed.
+        touched = (s for s in task.learned.stations if s.frame == station.object)
+        begin = next((compose(frames[s.frame], s.hand_in_frame) for s in touched), hand)
+        return interpolate(begin, hand, np.linspace(0.0, 1.0, ALONG))
+    if station.kind == "touch" and path is not None:
+        shown = path.path[station.docking_at : station.at + 1 : EVERY]
+        return compose(compose(frame, inverse(station.frame_to_world)), shown)
+    docking = compose(frame, station.docking_in_frame)
+    return interpolate(docking, hand, np.linspace(0.0, 1.0, BETWEEN))
+
+
+def _opening(task: Task, station: Station) -> float:
+    path = task.learned.path if task.learned else None
+    if station.kind != "touch" or path is None or path.gripper_m is None:
+        return GRIPPER.open_m
+    return float(path.gripper_m[station.at])
 
 
 def _width(scene: Scene, name: str) -> float:

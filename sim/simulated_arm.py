@@ -8,6 +8,7 @@ looked at and the release corrected, and what happens is reported.
 from __future__ import annotations
 
 import threading
+from typing import Literal
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
 from sim.correction import checked, matters, release_offset
+from sim.gripping import Grip
 from sim.kinematics import forward
 from sim.measures import finished
 from sim.playback import Playback, planned_reports
@@ -27,12 +29,12 @@ from sim.rechecking import still_free
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
 from sim.touching import Trace, allowed_at
-from sim.world import CONTROL_S, EASE_S, EASED, STILL_M, STILL_TICKS, Allowed, Fault, World
+from sim.world import CONTROL_S, Allowed, Fault, World
+
+Kind = Literal["primitive", "perceived", "unmet", "halted", "finished"]
 
 NOT_WHERE_PLANNED_DEG = 1.0
 """A motion must begin this close to where the arm is."""
-ACTING_S = 3.0
-"""The gripper is done within this time, or something is wrong."""
 LOST_TICKS = 3
 SETTLED_TICKS = 3
 """A correction is complete so long before the body stands."""
@@ -70,17 +72,15 @@ class SimulatedArm:
         self._q = np.array(a465.READY)
         self._hand = forward(self._q)
         self._now_s = self._began_s = 0.0
-        self._opening_m = a465.GRIPPER.open_m
+        self._grip = Grip()
         self._carried = ""
         self._supposed: Array | None = None
         self._fresh = True
         self._rest()
 
     def _rest(self) -> None:
-        self._why, self._primitive, self._acting_s = "", -1, 0.0
-        self._still = self._lost = 0
-        self._last_opening_m = np.inf
-        self._grip = 1.0
+        self._why, self._primitive, self._lost = "", -1, 0
+        self._grip.rest()
         self._offset: Array = np.array(IDENTITY)
         self._misfit: Fault | None = None
         self._released: list[HandStop] = []
@@ -94,7 +94,7 @@ class SimulatedArm:
         self._q = joints_at(setup.robot_start.pose)
         self._hand = forward(self._q)
         self._playback, self._carried = None, ""
-        self._now_s, self._opening_m = 0.0, a465.GRIPPER.open_m
+        self._now_s, self._grip = 0.0, Grip()
         self._supposed, self._fresh = None, True
         self._rest()
         bodies = self._noise.misplaced(self._told, scene) if self._noise else dict(self._told)
@@ -126,7 +126,7 @@ class SimulatedArm:
         self._playback = Playback(motion)
         self._told_samples = planned_reports(motion)
         if not self._carried:
-            self._opening_m = float(np.clip(motion.gripper_m[0], 0.0, a465.GRIPPER.open_m))
+            self._grip.opening_m = float(np.clip(motion.gripper_m[0], 0.0, a465.GRIPPER.open_m))
         elif self._playback.pending and self._playback.pending[0].kind == "release":
             self._correct(self._carried, 0)
 
@@ -145,7 +145,7 @@ class SimulatedArm:
     def tick(self) -> tuple[ArmReport, ...]:
         """Advance by one control period and return what there is to tell."""
         if self._playback is None:
-            self.world.step(self._q, self._hand, self._opening_m, Allowed(self._carried))
+            self.world.step(self._q, self._hand, self._grip.opening_m, Allowed(self._carried))
             self._now_s += CONTROL_S
             return ()
         if self._flag.is_set():
@@ -159,13 +159,15 @@ class SimulatedArm:
             self._look_again(playback)
             self._q, self._hand = playback.now()
             self._ease_early(playback)
+            if self._carried:
+                self._grip.press(self.world.joints()[1])
         stops, sample = playback.motion.stops, playback.sample
-        allowed = allowed_at(stops, sample, self._carried, self._grip)
-        fault = self.world.step(self._q, self._hand, self._opening_m, allowed)
+        allowed = allowed_at(stops, sample, self._carried, self._grip.share)
+        fault = self.world.step(self._q, self._hand, self._grip.opening_m, allowed)
         self._trace.see(stops, sample, self._carried, self.world)
         self._now_s += CONTROL_S
         told, fault = self._passed(playback), fault or self._misfit
-        if fault is None and self._carried and not acting and self._grip == 1.0:
+        if fault is None and self._carried and not acting and self._grip.share == 1.0:
             fault = self._lost_grip()
         if fault is not None:
             return (*told, self._halt("unmet", fault.text, fault.body, fault.target))
@@ -185,40 +187,22 @@ class SimulatedArm:
         if stop is None or stop.kind != "release" or playback.braking:
             return
         if stop.docking_at < playback.sample and playback.stands:
-            self._ease()
+            self._grip.ease()
 
     def _lost_grip(self) -> Fault | None:
         self._lost = 0 if self.world.held() == self._carried else self._lost + 1
         return Fault("held", self._carried) if self._lost > LOST_TICKS else None
 
     def _act(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
-        closing = stop.kind == "grasp"
-        before = self.world.joints()[1]
-        if self._acting_s == 0.0:
-            if closing and stop.object in self._told:
-                self._supposed = compose(inverse(playback.hands[stop.at]), self._told[stop.object])
-            # From where the fingers are, not from where a closed hand without a body would be.
-            self._opening_m = before
-        self._acting_s += CONTROL_S
-        if not closing and self._grip > EASED:
-            self._ease()
-            return ()
-        # The command is a ramp, so that the fingers meet the body slowly.
-        step = a465.GRIPPER.speed_m_s * CONTROL_S
-        goal = 0.0 if closing else a465.GRIPPER.open_m
-        self._opening_m += float(np.clip(goal - self._opening_m, -step, step))
-        moved, self._last_opening_m = abs(before - self._last_opening_m), before
-        self._still = self._still + 1 if moved < STILL_M else 0
-        if self._still < STILL_TICKS and self._acting_s < ACTING_S:
-            return ()
-        return self._acted(playback, stop)
-
-    def _ease(self) -> None:
-        self._grip = max(EASED, self._grip - CONTROL_S / EASE_S)
+        closing, grip = stop.kind == "grasp", self._grip
+        if closing and grip.acting_s == 0.0 and stop.object in self._told:
+            self._supposed = compose(inverse(playback.hands[stop.at]), self._told[stop.object])
+        done = grip.act(self.world.joints()[1], closing=closing)
+        return self._acted(playback, stop) if done else ()
 
     def _acted(self, playback: Playback, stop: HandStop) -> tuple[ArmReport, ...]:
         playback.pending.pop(0)
-        self._acting_s, self._still, self._grip = 0.0, 0, 1.0
+        self._grip.rest()
         held = self.world.held()
         if stop.kind == "release":
             return self._let_go(stop, held)
@@ -286,11 +270,11 @@ class SimulatedArm:
             told.append(self._report("primitive"))
         return told
 
-    def _report(self, kind: str, text: str = "", name: str = "", target: str = "") -> ArmReport:
+    def _report(self, kind: Kind, text: str = "", name: str = "", target: str = "") -> ArmReport:
         at_s = self._now_s - self._began_s
-        return ArmReport(kind, at_s, self._primitive, text, name, target)  # type: ignore[arg-type]
+        return ArmReport(kind, at_s, self._primitive, text, name, target)
 
-    def _halt(self, kind: str, text: str, name: str = "", target: str = "") -> ArmReport:
+    def _halt(self, kind: Kind, text: str, name: str = "", target: str = "") -> ArmReport:
         self._playback = None
         return self._report(kind, text, name, target)
 

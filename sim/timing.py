@@ -7,6 +7,7 @@ length. A path that begins or ends in motion is led in and out from rest.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -106,13 +107,13 @@ def _peaks(u_s: Array, values: Array, even: Array) -> Array:
     return np.asarray(level)
 
 
-def _ticks(u_s: Array, sigma: Array, curve: object, rest: Array) -> Timed:
+def _ticks(u_s: Array, sigma: Array, curve: Callable[[Array], Array], rest: Array) -> Timed:
     steps = 0.5 * (sigma[1:] + sigma[:-1]) * np.diff(u_s)
     t_s = np.concatenate([[0.0], np.cumsum(steps)])
     t_s = _led(t_s, not rest[0], not rest[-1])
     ticks = np.arange(int(np.ceil(t_s[-1] * CONTROL_HZ - 1e-9)) + 1) / CONTROL_HZ
     at = np.interp(ticks, t_s, u_s)
-    return Timed(ticks, np.asarray(curve(at)), at)  # type: ignore[operator]
+    return Timed(ticks, np.asarray(curve(at)), at)
 
 
 def _led(t_s: Array, lead_in: bool, lead_out: bool) -> Array:

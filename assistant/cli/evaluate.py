@@ -29,7 +29,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--sector", choices=("front", "all"), default="all", help="ahead of the arm, or all around"
     )
-    parser.add_argument("--scene", default="table", metavar="SCENE", help="default: table")
+    parser.add_argument(
+        "--scene", default="", metavar="SCENE", help="default: the table, or what has its things"
+    )
     parser.add_argument(
         "--workers", type=_count, metavar="K", help="processes; default: one a processor"
     )

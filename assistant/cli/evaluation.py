@@ -179,7 +179,7 @@ class Worker:
     """Practices setups by number; what needs to be done only once is kept."""
 
     def __init__(self, wanted: Evaluation) -> None:
-        from assistant.files.scenes import find_scene
+        from assistant.cli.fitting import fitting_scene
         from assistant.files.tasks import read_task
         from assistant.learning.adaptation import plan_adaptation
         from assistant.shells.pacing import RealClock
@@ -188,18 +188,11 @@ class Worker:
         path = Path(wanted.learned)
         self._wanted = wanted
         self._task = read_task(path)
-        self._scene = find_scene(wanted.scene, path)
-        self._check()
+        if self._task.learned is None or self._task.learned.path is None:
+            raise BadInput.one(wanted.learned, "nothing was learned for this task yet")
+        self._scene = fitting_scene(self._task, path, wanted.scene)
         self._plan = plan_adaptation(self._task)
         self._planner, self._clock = A465Planner(), RealClock()
-
-    def _check(self) -> None:
-        if self._task.learned is None or self._task.learned.path is None:
-            raise BadInput.one(self._wanted.learned, "nothing was learned for this task yet")
-        missing = [o.name for o in self._task.objects if o.name not in self._scene.bodies]
-        if missing:
-            what = f"scene {self._scene.name} has no {', no '.join(missing)}"
-            raise BadInput.one(self._wanted.learned, what, "name one that has with --scene")
 
     def practice(self, number: int) -> Values:
         """Draw a setup and return how practice went in it."""

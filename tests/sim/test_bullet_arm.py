@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
+from assistant.geometry import angle_between, compose, distance_between, inverse
+from assistant.model.motion import JointPath
 from assistant.model.scene import Obstacle
 from sim.bullet_arm import BulletArm
+from sim.planner import A465Planner
 from sim.sensor import InHandSensor, PlaceNoise
+from tests.sim import hand_paths
 from tests.sim.placing import begun, lesson, motion, told_until_rest
 
 
@@ -52,3 +58,22 @@ def test_runs_repeat_exactly() -> None:
         begun(arm, 2)
         found.append(told_until_rest(arm)[-1].alignments)
     assert found[0] == found[1]
+
+
+def test_a_body_keeps_its_place_in_a_hand_that_turns_far() -> None:
+    scene = hand_paths.scene()
+    setup = hand_paths.setup((300.0, -400.0, 300.0), -60.0, (-200.0, 520.0, 300.0), 110.0)
+    motion = A465Planner().plan(hand_paths.pick_and_place(scene, setup), scene, setup)
+    assert isinstance(motion, JointPath)
+    arm = BulletArm(sensor=InHandSensor(), noise=PlaceNoise(seed=3))
+    arm.arrange(scene, setup)
+    arm.start(motion)
+    seen = []
+    while arm.look().moving:
+        arm.tick()
+        look = arm.look()
+        if look.held:
+            seen.append(compose(inverse(look.hand), look.bodies["block"]))
+    in_hand = np.array(seen)
+    assert np.max(distance_between(in_hand[1:], in_hand[:-1])) < 2e-4
+    assert np.max(angle_between(in_hand[1:], in_hand[:-1])) < np.deg2rad(0.3)
