@@ -6,24 +6,38 @@ import contextlib
 import ctypes
 import os
 import sys
+import tempfile
 from collections.abc import Iterator
 from typing import Any
+
+GREETING = b"pybullet build time"
+"""Begins the library's line about itself, which it writes to stderr."""
 
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
-    # The library's greeting is written by C code straight to the file descriptor.
+    """Keep the library's talk from stdout, and its greeting from stderr; errors are passed on.
+
+    Its words are written by C code straight to the file descriptors.
+    """
     sys.stdout.flush()
-    kept = os.dup(1)
-    try:
-        with open(os.devnull, "wb") as nowhere:
-            os.dup2(nowhere.fileno(), 1)
+    sys.stderr.flush()
+    kept = os.dup(1), os.dup(2)
+    with tempfile.TemporaryFile() as said:
+        try:
+            with open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), 1)
+                os.dup2(said.fileno(), 2)
             yield
-    finally:
-        # C keeps what it wrote in a buffer of its own where stdout is no terminal.
-        ctypes.CDLL(None).fflush(None)
-        os.dup2(kept, 1)
-        os.close(kept)
+        finally:
+            # C keeps what it wrote in a buffer of its own where stdout is no terminal.
+            ctypes.CDLL(None).fflush(None)
+            for descriptor, copy in enumerate(kept, start=1):
+                os.dup2(copy, descriptor)
+                os.close(copy)
+            said.seek(0)
+            told = [line for line in said if not line.startswith(GREETING)]
+            os.write(2, b"".join(told))
 
 
 with _quiet():
@@ -42,9 +56,11 @@ class Client:
     def __init__(self, *, window: bool = False) -> None:
         with _quiet():
             self.id: int = bullet.connect(bullet.GUI if window else bullet.DIRECT)
-        if window:
-            self.configureDebugVisualizer(bullet.COV_ENABLE_GUI, 0)
-            self.resetDebugVisualizerCamera(1.5, 55.0, -25.0, (0.35, 0.0, 0.4))
+            if window:
+                self.configureDebugVisualizer(bullet.COV_ENABLE_GUI, 0)
+                self.resetDebugVisualizerCamera(1.5, 55.0, -25.0, (0.35, 0.0, 0.4))
+                # It tells of its graphics with the first picture, from a thread of its own.
+                self.getCameraImage(8, 8)
 
     def __getattr__(self, name: str) -> Any:
         function = getattr(bullet, name)

@@ -18,7 +18,7 @@ effort are generous: the planner, not the motor, keeps within speeds and acceler
 
 from __future__ import annotations
 
-from math import pi
+from math import cos, pi, sin
 from pathlib import Path
 
 from sim import a465
@@ -92,7 +92,7 @@ def _gripper() -> list[str]:
     reach, thick, tall = GRIPPER.finger_m
     for name, link, side in zip(FINGER_JOINTS, PAD_LINKS, (1.0, -1.0), strict=True):
         middle = (length + reach / 2, side * thick / 2, 0.0)
-        pad = _box(middle, (reach, thick, tall), (0.0, PAD_ROLL_RAD, 0.0))
+        pad = _box(middle, (_rolled(reach, tall), thick, tall), (0.0, PAD_ROLL_RAD, 0.0))
         parts.append(_link(link, 0.1, middle, pad, GRAY))
         parts.append(
             f'<joint name="{name}" type="prismatic"><parent link="{FLANGE_LINK}"/>'
@@ -101,6 +101,14 @@ def _gripper() -> list[str]:
             f'velocity="{GRIPPER.speed_m_s:.6f}" effort="60"/></joint>'
         )
     return parts
+
+
+def _rolled(reach: float, tall: float) -> float:
+    """Return the length of a rolled pad whose foremost edge is where that of an even one was.
+
+    What is pushed with the fingertips meets that edge.
+    """
+    return (reach - tall * sin(PAD_ROLL_RAD)) / cos(PAD_ROLL_RAD)
 
 
 def _link(name: str, mass: float, center: Triple, shape: str, color: str) -> str:

@@ -55,15 +55,15 @@ def check_window(arm: str) -> None:
         raise BadInput.one("--window", "there is no display", "leave it out, or set DISPLAY")
 
 
-def make_equipment(arm: str) -> Equipment:
-    """Return arm, planner and hands of a session."""
+def make_equipment(arm: str, *, window: bool = False) -> Equipment:
+    """Return arm, planner and hands of a session, the arm shown in a window on request."""
     from assistant.session.equipment import Equipment
     from sim.hands.keyed import KeyedHand
     from sim.planner import A465Planner
     from sim.setups import new_setup
 
     stop_flag = threading.Event()
-    made = make_arm(arm, stop_flag)
+    made = make_arm(arm, stop_flag, window=window)
     return Equipment(made, A465Planner(), make_hand, new_setup, stop_flag, KeyedHand)
 
 
@@ -83,8 +83,11 @@ def make_hand(step: Demonstrate, task: Task, scene: Scene, setup: Setup) -> Hand
     from assistant.files.recordings import read_recording
     from assistant.model.demonstration import Demonstration
     from sim.hands import RecordedHand, ScriptedHand
+    from sim.hands.untold import filled
 
     if step.recording is None:
+        # Whoever shows a task knows where its things are, told or not.
+        setup = filled(task, scene, setup, step.seed)
         if step.cues is None:
             return ScriptedHand(task, scene, setup, step.seed)
         return ScriptedHand(task, scene, setup, step.seed, (*step.cues, *step.key_states))

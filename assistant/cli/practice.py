@@ -37,7 +37,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--setup", nargs="+", type=Path, required=True, metavar="SETUP")
     parser.add_argument("--speed", type=_speed, default=1.0, metavar="F", help="as shown: 1")
     arm_argument(parser)
-    parser.add_argument("--window", action="store_true", help="show the arm in a window")
+    parser.add_argument("--window", action="store_true", help="show it in a window, in real time")
     parser.add_argument("--csv", type=Path, metavar="DIR", help="write the joint paths there")
     parser.add_argument("--dry-run", action="store_true", help="plan and check, move nothing")
     parser.add_argument("--json", action="store_true", help="one JSON line at the end")
@@ -60,7 +60,7 @@ def run(args: argparse.Namespace) -> int:
     from assistant.files.tasks import read_task
     from assistant.learning.adaptation import plan_adaptation
     from assistant.session.practice import check_placed, practice_setup, tally
-    from assistant.shells.pacing import RealClock
+    from assistant.shells.pacing import PacedArm, RealClock
     from sim.planner import A465Planner
 
     if args.window and (args.json or args.dry_run):
@@ -73,6 +73,9 @@ def run(args: argparse.Namespace) -> int:
     folder, names = _folder(args.csv), _file_names([setup.name for _, setup in places])
     arm = None if args.dry_run else make_arm(args.arm, window=args.window)
     plan, planner, clock = plan_adaptation(task), A465Planner(), RealClock()
+    if arm is not None and args.window:
+        # What is shown is to be watched; without a window it runs as fast as it can.
+        arm = PacedArm(arm, clock)
     results = []
     for number, (scene, setup) in enumerate(places, start=1):
         print(f"{setup.name} ({number} of {len(places)})", file=sys.stderr)

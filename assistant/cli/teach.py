@@ -15,6 +15,7 @@ import io
 import os
 import sys
 from collections.abc import Callable, Iterable
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -42,6 +43,7 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--pace", type=_pace, default=1.0, metavar="F", help="of the simulated arm; 1 is real time"
     )
+    parser.add_argument("--window", action="store_true", help="show the arm in a window")
     parser.add_argument("--json", action="store_true", help="talk in JSON lines, for programs")
     voice_arguments(parser)
     parser.add_argument("--browser", action="store_true", help="talk in a browser")
@@ -61,6 +63,9 @@ def run(args: argparse.Namespace) -> int:
     """Hold one session."""
     if args.browser:
         raise BadInput.one("--browser", "is not built yet", "leave it out and type")
+    if args.json and args.window:
+        # The window's library writes to stdout as it likes.
+        raise BadInput.one("--window", "does not go with --json", "one of the two")
     if args.json and args.voice:
         raise BadInput.one("--voice", "does not go with --json", "one of the two")
     if args.json:
@@ -120,7 +125,8 @@ def _opened(
     from assistant.session.opening import Opening, open_session, resume_session
     from assistant.session.past import newest_session
 
-    opening = Opening(make_equipment, home(), out, made)
+    equipment = partial(make_equipment, window=args.window)
+    opening = Opening(equipment, home(), out, made)
     if args.resume is None:
         return open_session(opening, _header(args))
     name = newest_session(opening.sessions) if args.resume == NEWEST else args.resume

@@ -6,6 +6,10 @@ import threading
 import time
 from collections.abc import Callable
 
+from assistant.model.motion import ArmReport, JointPath
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.ports import Arm, ArmLook, Clock
 from assistant.session.loop import Session
 
 PERIOD_S = 0.02
@@ -25,6 +29,45 @@ class RealClock:
     def pass_s(self, seconds: float) -> None:
         """Wait."""
         time.sleep(max(seconds, 0.0))
+
+
+class PacedArm:
+    """An arm that can be watched: no tick of it ends before its time on the wall.
+
+    Parameters
+    ----------
+    arm : Arm
+    clock : Clock
+    """
+
+    def __init__(self, arm: Arm, clock: Clock) -> None:
+        self._arm, self._clock = arm, clock
+        self._due_s = clock.now_s()
+
+    def arrange(self, scene: Scene, setup: Setup) -> None:
+        """Put arm and bodies at their places."""
+        self._arm.arrange(scene, setup)
+
+    def look(self) -> ArmLook:
+        """Return what is measured now."""
+        return self._arm.look()
+
+    def start(self, motion: JointPath) -> None:
+        """Begin to carry out a checked motion, from now on."""
+        self._arm.start(motion)
+        self._due_s = self._clock.now_s()
+
+    def tick(self) -> tuple[ArmReport, ...]:
+        """Advance by one control period, in real time; what took longer is not made up for."""
+        told = self._arm.tick()
+        now_s = self._clock.now_s()
+        self._due_s = max(self._due_s + PERIOD_S, now_s)
+        self._clock.pass_s(self._due_s - now_s)
+        return told
+
+    def stop(self, why: str) -> None:
+        """Brake now."""
+        self._arm.stop(why)
 
 
 class Ticker:

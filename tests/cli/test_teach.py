@@ -191,3 +191,26 @@ def test_bytes_that_are_no_text_are_words_nobody_understands(tmp_path: Path, cod
     assert ended.returncode == 0
     assert ended.stdout.endswith(b"Goodbye.\n")
     assert b"Traceback" not in ended.stderr
+
+
+@pytest.mark.parametrize(
+    ("more", "told"),
+    [
+        (("--json",), "does not go with --json"),
+        ((), "the kinematic arm has none"),
+        (("--arm", "pybullet"), "there is no display"),
+    ],
+)
+def test_a_window_that_cannot_be_is_refused(
+    tmp_path: Path, more: tuple[str, ...], told: str
+) -> None:
+    bare = environment(tmp_path)
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        bare.pop(name, None)
+    refused = subprocess.run(
+        [*TEACH, "--window", *more], capture_output=True, text=True, env=bare, check=False
+    )
+    assert refused.returncode == 2
+    assert told in refused.stderr
+    assert "--window" in refused.stderr
+    assert not (tmp_path / "sessions" / "2").exists()

@@ -52,3 +52,23 @@ def test_pybullet_puts_the_flange_where_we_do(tmp_path: Path) -> None:
             assert float(angle_between(turned, pose)) < 1e-5
     finally:
         pybullet.disconnect(client)
+
+
+def test_the_rolled_pads_end_where_the_fingers_do() -> None:
+    robot = ElementTree.fromstring(arm_urdf())
+    for name in PAD_LINKS:
+        shape = robot.find(f"link[@name='{name}']/collision")
+        assert shape is not None
+        origin, box = shape.find("origin"), shape.find("geometry/box")
+        assert origin is not None
+        assert box is not None
+        middle = [float(text) for text in str(origin.get("xyz")).split()]
+        roll = float(str(origin.get("rpy")).split()[1])
+        long, _, tall = (float(text) / 2.0 for text in str(box.get("size")).split())
+        corners = [
+            middle[0] + x * np.cos(roll) + z * np.sin(roll)
+            for x in (-long, long)
+            for z in (-tall, tall)
+        ]
+        reach = a465.GRIPPER.palm_m[0] + a465.GRIPPER.finger_m[0]
+        assert max(corners) == pytest.approx(reach, abs=1e-6)
