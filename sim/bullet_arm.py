@@ -5,9 +5,11 @@ from __future__ import annotations
 import threading
 
 from sim.bullet_settings import BulletSettings
+from sim.bullet_window import Picture, WatchedWorld
 from sim.bullet_world import BulletWorld
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.simulated_arm import SimulatedArm
+from sim.world import World
 
 
 class BulletArm(SimulatedArm):
@@ -18,7 +20,7 @@ class BulletArm(SimulatedArm):
     stop_flag : threading.Event, optional
         Read by every tick.
     window : bool
-        Show a window; without it no display is needed.
+        Show a window, which stops the arm when it is closed; without it no display is needed.
     sensor : InHandSensor or None
         The default looks with the stated noise; None leaves the release as planned.
     noise : PlaceNoise, optional
@@ -35,5 +37,10 @@ class BulletArm(SimulatedArm):
         noise: PlaceNoise | None = None,
         settings: BulletSettings | None = None,
     ) -> None:
-        world = BulletWorld(window=window, settings=settings)
-        super().__init__(world, stop_flag, sensor=sensor, noise=noise)
+        flag = stop_flag or threading.Event()
+        physics = BulletWorld(settings=settings)
+        world: World = physics
+        if window:
+            # Whoever closes the window wants the arm to stop.
+            world = WatchedWorld(physics, Picture(window=True), flag.set)
+        super().__init__(world, flag, sensor=sensor, noise=noise)

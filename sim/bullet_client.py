@@ -7,6 +7,7 @@ import ctypes
 import os
 import sys
 import tempfile
+import weakref
 from collections.abc import Iterator
 from typing import Any
 
@@ -56,6 +57,8 @@ class Client:
     def __init__(self, *, window: bool = False) -> None:
         with _quiet():
             self.id: int = bullet.connect(bullet.GUI if window else bullet.DIRECT)
+            # At the latest when the program ends, while it still can be done in silence.
+            self._leave = weakref.finalize(self, _left, self.id)
             if window:
                 self.configureDebugVisualizer(bullet.COV_ENABLE_GUI, 0)
                 self.resetDebugVisualizerCamera(1.5, 55.0, -25.0, (0.35, 0.0, 0.4))
@@ -75,11 +78,10 @@ class Client:
 
     def close(self) -> None:
         """Leave the server; a second time does nothing."""
-        if self.id >= 0:
-            # A window says good-bye on stdout, too.
-            with _quiet(), contextlib.suppress(bullet.error):
-                bullet.disconnect(physicsClientId=self.id)
-            self.id = -1
+        self._leave()
 
-    def __del__(self) -> None:
-        self.close()
+
+def _left(number: int) -> None:
+    # A window says good-bye on stdout, too.
+    with _quiet(), contextlib.suppress(bullet.error):
+        bullet.disconnect(physicsClientId=number)
