@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 import json
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -9,9 +10,12 @@ import pytest
 
 from assistant.cli.adapters import make_equipment
 from assistant.errors import BadInput
+from assistant.files.tasks import write_task
 from assistant.model.transcript import Demonstrate, SetupStep, Transcript, Wait
+from assistant.session.loop import Session
 from assistant.session.opening import Opening, open_session
 from assistant.shells.json_lines import JsonShell, step_of
+from tests.session.test_practice import learned
 
 
 def talk(home: Path, *lines: str) -> list[dict[str, Any]]:
@@ -37,6 +41,52 @@ def test_ready_follows_every_line_and_the_end_quits(tmp_path: Path) -> None:
     ready = [one for one in told if "ready" in one]
     assert ready == [{"ready": True, "moving": False}] * 4
     assert told[-1]["asked"] == "unsaved"
+
+
+def practicing(home: Path) -> tuple[JsonShell, Session, list[str]]:
+    """A program that has learned the task, with the arm at rest."""
+    told: list[str] = []
+    shell = JsonShell(told.append)
+    file = home / "learned.yaml"
+    write_task(learned("pick_and_place"), file)
+    header = Transcript("program", arm="kinematic", task=str(file))
+    session = open_session(Opening(make_equipment, home, shell.out), header)
+    return shell, session, told
+
+
+def test_a_stop_word_is_seen_while_time_passes(tmp_path: Path) -> None:
+    shell, session, told = practicing(tmp_path)
+    ticks, tick = 0, session.tick
+    stop = threading.Event()
+
+    def ticked() -> None:
+        nonlocal ticks
+        ticks += 1
+        if ticks == 50:
+            stop.set()
+            # The line is read beside; the arm goes on until it was.
+            assert session.equipment.stop_flag.wait(20.0)
+        tick()
+
+    def lines() -> Iterator[str]:
+        yield from ("go", "yes", '{"wait": "rest"}')
+        assert stop.wait(20.0)
+        yield "don't stop"
+
+    session.tick = ticked  # type: ignore[method-assign]
+    shell.run(session, lines())
+    session.close()
+    assert ticks < 50 + 15
+    assert any(json.loads(line).get("topic") == "stop" for line in told)
+
+
+def test_input_that_ends_while_the_arm_moves_stops_it(tmp_path: Path) -> None:
+    shell, session, told = practicing(tmp_path)
+    shell.run(session, iter(("go", "yes", '{"wait": 2.0}')))
+    session.close()
+    stopped = [json.loads(line) for line in told if '"stopped"' in line]
+    assert "nobody is there" in stopped[0]["text"]
+    assert not session.moving
 
 
 def test_input_that_breaks_stops_the_arm_and_ends_the_talk(tmp_path: Path) -> None:

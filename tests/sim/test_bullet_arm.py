@@ -10,6 +10,7 @@ from assistant.geometry import angle_between, compose, distance_between, inverse
 from assistant.model.motion import JointPath
 from assistant.model.scene import Obstacle
 from sim.bullet_arm import BulletArm
+from sim.bullet_settings import BulletSettings
 from sim.planner import A465Planner
 from sim.sensor import InHandSensor, PlaceNoise
 from tests.sim import hand_paths
@@ -37,6 +38,14 @@ def test_unexpected_contact_halts_the_run_and_names_the_body() -> None:
     last = told_until_rest(arm)[-1]
     assert (last.kind, last.text) == ("unmet", "contact")
     assert last.object in ("post", "block")
+
+
+def test_an_arm_that_does_not_follow_its_path_halts_the_run() -> None:
+    arm = BulletArm(settings=BulletSettings(joint_force=20.0))
+    begun(arm)
+    last = told_until_rest(arm)[-1]
+    assert (last.kind, last.text) == ("unmet", "tracking")
+    assert not arm.look().moving
 
 
 def _pads_before_docking() -> tuple[float, float]:
