@@ -162,3 +162,9 @@ def test_chat_while_the_arm_moves_is_left_alone() -> None:
 
 def test_who_has_left_hears_nothing() -> None:
     assert hear(Room(left=True), "slower", frames(*UTTERANCE)) == []
+
+
+def test_the_spotter_listens_on_while_the_robot_speaks() -> None:
+    room = Room(speaking=True, moving=True)
+    hear(room, "", frames((0.5, 0.0), (0.4, 0.95), (0.8, 0.0)))
+    assert room.equipment.stop_flag.is_set()

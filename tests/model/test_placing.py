@@ -1,0 +1,69 @@
+"""Where things belong, and how well they lie there: corners, edges, surfaces."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from assistant.geometry import angle_between, compose, inverse, pose_from_mm_deg
+from assistant.model.motion import HandStop
+from assistant.model.placing import alignment, in_line, place_of, place_on, rests_on
+from assistant.model.scene import Body, Scene
+from assistant.model.setup import Place, Setup
+
+BLOCK = Body("block")
+PLACE = pose_from_mm_deg((500, 100, 240), (0, 0, 30))
+small = st.floats(-3.0, 3.0)
+
+
+@given(small, small)
+def test_a_shifted_block_is_off_by_its_shift(x_mm: float, y_mm: float) -> None:
+    pose = compose(PLACE, pose_from_mm_deg((x_mm, y_mm, 0), (0, 0, 0)))
+    found = alignment(BLOCK, pose, PLACE, "target")
+    assert found.distance_mm == pytest.approx(np.hypot(x_mm, y_mm), abs=1e-9)
+    assert in_line(BLOCK, pose, PLACE, "target") == (found.distance_mm <= 1.0)
+    assert found.angle_deg == pytest.approx(0.0, abs=1e-6)
+
+
+@given(small)
+def test_a_turned_block_is_off_by_its_corner(deg: float) -> None:
+    pose = compose(PLACE, pose_from_mm_deg((0, 0, 0), (0, 0, deg)))
+    found = alignment(BLOCK, pose, PLACE, "target")
+    assert found.angle_deg == pytest.approx(abs(deg), abs=1e-6)
+    chord = 2 * np.hypot(30, 20) * np.sin(np.deg2rad(abs(deg)) / 2)
+    assert found.distance_mm == pytest.approx(chord, abs=1e-9)
+
+
+def test_the_place_on_a_movable_body_is_its_top_wherever_it_is() -> None:
+    lower = Body("lower", size_mm=(80, 60, 70))
+    scene = Scene(bodies={"block": BLOCK, "lower": lower})
+    setup = Setup(places={"lower": Place("body", (0, 0, 240))})
+    place = place_on(scene, setup, "block", "lower", {"lower": PLACE})
+    assert np.allclose(place[:3], PLACE[:3] + np.array([0, 0, 0.07]))
+    assert rests_on(scene, "block", "lower", place, place)
+    tilted = compose(place, pose_from_mm_deg((0, 0, 0), (10, 0, 0)))
+    assert not rests_on(scene, "block", "lower", tilted, place)
+
+
+@pytest.mark.parametrize("target", ["lower", "mark"])
+def test_a_corrected_place_moves_along_its_surface(target: str) -> None:
+    lower = Body("lower", size_mm=(80, 60, 70))
+    mark = Body("mark", size_mm=(80, 60, 0), mass_kg=0.0)
+    scene = Scene(bodies={"block": BLOCK, "lower": lower, "mark": mark})
+    setup = Setup(places={target: Place("body", (500, 100, 240), (0, 0, 30))})
+    shift = pose_from_mm_deg((0, 5, 2), (0, 0, 3))
+    stop = HandStop(5, "release", "block", target, 0, 9)
+    bodies = {target: PLACE}
+    told = place_of(scene, setup, stop, bodies)
+    assert np.allclose(told, place_on(scene, setup, "block", target, bodies))
+    place = place_of(scene, setup, replace(stop, shift=tuple(shift.tolist())), bodies)
+    assert place[2] == pytest.approx(told[2])
+    assert np.rad2deg(float(angle_between(place, told))) == pytest.approx(3.0)
+    # The frame is the hand's: 134.1 mm behind the middle of the block, and turned with it.
+    by = compose(inverse(told), place)[:2] * 1000.0
+    turn = np.deg2rad(3.0)
+    assert np.allclose(by, 134.1 * np.array([np.cos(turn) - 1, np.sin(turn)]) + [0, 5], atol=1e-6)
