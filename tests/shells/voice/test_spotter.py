@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 
 from assistant.session.practice import success_interval
 from assistant.shells.voice.mouth import Mouth, Voice
-from assistant.shells.voice.sound import RATE_HZ, read_sound
+from assistant.shells.voice.sound import RATE_HZ, Sound, read_sound, write_sound
 from assistant.shells.voice.spotter import Classifier, StopSpotter, stacked
 from assistant.shells.voice.train_spotter import Examples, _labels, _share, _slopes, report, train
+from assistant.shells.voice.training_sounds import STOPS, by_people, placed, said_by
 
 DECAY = 1e-4
 
@@ -81,6 +82,35 @@ def test_each_row_looks_back_over_its_forerunners() -> None:
     assert rows.shape == (3, 288)
     assert np.array_equal(rows[1], embeddings[1:4].ravel())
     assert stacked(embeddings[:2]).shape == (0, 288)
+
+
+def test_a_sentence_is_placed_with_sound_before_and_behind_it() -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(8):
+        said = rng.standard_normal(RATE_HZ // 2).astype(np.float32)
+        noisy, ends_s = placed(said, rng)
+        assert 1.0 + 0.4 <= ends_s <= 1.5 + 0.6
+        assert len(noisy) / RATE_HZ >= ends_s + 0.4
+        assert noisy.dtype == np.float32
+        assert np.all(np.isfinite(noisy))
+
+
+def test_every_speaker_says_stop_alone_once() -> None:
+    told = said_by(np.random.default_rng(2), others=5)
+    assert told[0] == "stop"
+    assert told[1] in STOPS[1:]
+    assert len(set(told)) == 7
+
+
+@pytest.mark.voice
+def test_people_come_in_pieces_and_never_say_stop(tmp_path: Path) -> None:
+    rng = np.random.default_rng(1)
+    for name, seconds in (("a", 9), ("b", 2)):
+        sound = 0.1 * rng.standard_normal(seconds * RATE_HZ)
+        write_sound(tmp_path / f"{name}.wav", Sound(sound.astype(np.float32)))
+    told = list(by_people([tmp_path]))
+    assert [round(len(samples) / RATE_HZ) for _, samples in told] == [8, 1, 2]
+    assert not any(is_stop for is_stop, _ in told)
 
 
 @pytest.mark.voice

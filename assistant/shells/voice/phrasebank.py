@@ -1,0 +1,89 @@
+"""Short commands of the phrasebook spelled out, to look up which sound like what was heard.
+
+A recognizer that misheard two words of noise seldom lists the right ones among its readings.
+What a teacher may say is known: the phrases nearest by sound are weighed beside the readings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
+from typing import cast
+
+from rapidfuzz import process
+from rapidfuzz.distance import Levenshtein
+
+from assistant.language.phrasebook import phrasebook
+from assistant.language.templates import Choice, Node, Phrases
+from assistant.shells.voice.phonemes import phonemes
+
+MOST_WORDS = 2
+Words = tuple[str, ...]
+
+
+def near(heard: str, count: int, language: str = "english") -> tuple[str, ...]:
+    """Return so many short commands that sound most like what was heard, the nearest first."""
+    phrases, sounds = _bank(language)
+    found = process.extract(
+        _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
+    )
+    return tuple(phrases[at] for _, _, at in found)
+
+
+@cache
+def _bank(language: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    told = {
+        " ".join(words)
+        for sentence in phrasebook(language).sentences
+        if sentence.act != "unknown"
+        for words in _spelled(sentence.nodes, MOST_WORDS)
+        if words
+    }
+    phrases = tuple(sorted(told))
+    return phrases, tuple(_letters(phrase) for phrase in phrases)
+
+
+@cache
+def _letters(phrase: str) -> str:
+    """Return the phonemes of a phrase, one letter each."""
+    return "".join(_letter(sound) for sound in phonemes(phrase))
+
+
+@cache
+def _letter(sound: str) -> str:
+    # Two letters of a phoneme's name tell all of them apart.
+    first, second = (*sound, "_")[:2]
+    return chr(256 + 128 * (ord(first) % 32) + ord(second) % 128)
+
+
+def _spelled(nodes: Sequence[Node], room: int) -> Iterator[Words]:
+    """Yield what a template stands for in at most `room` words; open slots stand for nothing."""
+    if not nodes:
+        yield ()
+        return
+    for begun in _one(nodes[0], room):
+        for rest in _spelled(nodes[1:], room - len(begun)):
+            yield (*begun, *rest)
+
+
+def _one(node: Node, room: int) -> Iterator[Words]:
+    match node:
+        case str():
+            if room:
+                yield (node,)
+        case Phrases():
+            yield from _branches(node.tree, room)
+        case Choice():
+            for way in node.ways:
+                yield from _spelled(way, room)
+        case _:
+            return
+
+
+def _branches(tree: Mapping[str, object], room: int) -> Iterator[Words]:
+    for word, below in tree.items():
+        if not word:
+            yield ()
+        elif room:
+            for rest in _branches(cast("Mapping[str, object]", below), room - 1):
+                yield (word, *rest)

@@ -1,0 +1,104 @@
+"""Which of several things was said: each weighed by how well it explains the sound.
+
+A recognizer that can tell the likelihood of a given phrase is asked about all candidates alike:
+its own readings, those of another recognizer, what is expected now, and commands that sound
+alike. Candidates that mean the same act stand together; those that mean nothing stand for
+chat. How long somebody spoke says how much was said: "yes" is a poor account of two seconds.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from math import exp, log, sqrt
+
+from assistant.shells.voice.phonemes import phonemes
+
+EXPECTED = -3.2
+"""Of each phrase expected now, natural logarithm: there are some forty, and half of what is said
+is among them. It takes the place of how likely the recognizer finds the words before it listens,
+which is far less for "undo" than for "thank you"."""
+REPLACED = 0.6
+"""So much of what the recognizer found before it listened is taken off."""
+GAIN = (0.5, 5.0)
+"""At least and at most, for what a recognizer finds in silence is no more than a hint."""
+AGREED = 1.5
+"""How much likelier what another recognizer read is."""
+SHARPNESS = 0.8
+"""Below 1: a recognizer is surer of itself than it is right."""
+PHONEME_S = 0.085
+PACE_SPREAD, PHONEME_SPREAD = 0.25, 0.75
+"""Usual length of a phoneme; standard deviation of its logarithm among speakers, and among
+phonemes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """Words that may have been said.
+
+    Parameters
+    ----------
+    text : str
+    likelihood : float
+        Natural logarithm; of the sound, given the words.
+    share : float
+        Of all candidates' weight, in [0, 1].
+    """
+
+    text: str
+    likelihood: float
+    share: float
+
+
+def weighed(
+    likelihoods: Mapping[str, float],
+    speech_s: float,
+    *,
+    expected: Mapping[str, float] | None = None,
+    agreed: Collection[str] = (),
+) -> tuple[Candidate, ...]:
+    """Return candidates with their shares, the likeliest first.
+
+    Parameters
+    ----------
+    likelihoods : mapping of text to natural logarithm
+    speech_s : float
+        How long somebody spoke.
+    expected : mapping of text to natural logarithm, optional
+        What may well be said now, and how likely the recognizer finds it before it listens.
+    agreed : collection of str
+        What another recognizer read.
+    """
+    gains = {text: gain(before) for text, before in (expected or {}).items()}
+    weights = {
+        text: told
+        + gains.get(text, 0.0)
+        + AGREED * (text in agreed)
+        - length_penalty(text, speech_s)
+        for text, told in likelihoods.items()
+    }
+    most = max(weights.values(), default=0.0)
+    odds = {text: exp(SHARPNESS * (weight - most)) for text, weight in weights.items()}
+    total = sum(odds.values())
+    ranked = sorted(odds, key=lambda text: -odds[text])
+    return tuple(Candidate(text, likelihoods[text], odds[text] / total) for text in ranked)
+
+
+def gain(before: float) -> float:
+    """Return how much likelier words are where they are expected.
+
+    Parameters
+    ----------
+    before : float
+        How likely the recognizer finds them before it listens; natural logarithm.
+    """
+    least, most = GAIN
+    return min(max(EXPECTED - REPLACED * before, least), most)
+
+
+def length_penalty(text: str, speech_s: float) -> float:
+    """Return how unlikely it is that these words took so long, as a natural logarithm."""
+    count = max(len(phonemes(text)), 1)
+    spread = sqrt(PACE_SPREAD**2 + PHONEME_SPREAD**2 / count)
+    off = log(max(speech_s, PHONEME_S) / (count * PHONEME_S)) / spread
+    return 0.5 * off * off

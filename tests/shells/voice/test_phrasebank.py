@@ -1,0 +1,35 @@
+"""Commands that sound like what was heard: those of the phrasebook, the nearest first."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import Undo
+from assistant.shells.voice.hearing import is_unknown
+from assistant.shells.voice.phrasebank import MOST_WORDS, near
+
+pytestmark = pytest.mark.voice
+
+
+@pytest.mark.parametrize("said", ["undo", "scratch that", "try again", "open it"])
+def test_a_command_is_nearest_to_itself(said: str) -> None:
+    assert said in near(said, 2)
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [("scratch knight", "scratch that"), ("and you", "undo"), ("starbur", "start up")],
+)
+def test_what_was_misheard_is_found(heard: str, said: str) -> None:
+    assert said in near(heard, 8)
+
+
+def test_phrases_are_short_and_mean_something() -> None:
+    found = near("scratch that", 20)
+    assert len(found) == 20
+    assert all(1 <= len(phrase.split()) <= MOST_WORDS for phrase in found)
+    practice = Listening(stage="practice")
+    assert understand("scratch that", practice).acts == (Undo(),)
+    assert sum(not is_unknown(understand(one, practice)) for one in found) > 10
