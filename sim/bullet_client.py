@@ -44,6 +44,9 @@ def _quiet() -> Iterator[None]:
 with _quiet():
     import pybullet as bullet
 
+LostError: type[Exception] = bullet.error
+"""What calls raise once a server is gone, such as a window that was closed."""
+
 
 class Client:
     """One physics server; attributes are PyBullet's functions bound to it.

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 
 from assistant.geometry import Array, compose, inverse
 from assistant.model.scene import Scene
-from sim.bullet_client import bullet
+from sim.bullet_client import LostError
 from sim.bullet_world import BulletWorld
 from sim.world import Allowed, Fault
 
@@ -26,7 +26,7 @@ class Picture(BulletWorld):
 
         Raises
         ------
-        bullet.error
+        LostError
             If the window was closed.
         """
         client = self._client
@@ -76,7 +76,7 @@ class WatchedWorld:
     def _shown(self, show: Callable[[], None]) -> None:
         try:
             show()
-        except bullet.error:
+        except LostError:
             self._open = False
             self._closed()
 
