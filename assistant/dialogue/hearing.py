@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from types import MappingProxyType
 
-from assistant.dialogue import keeping, practicing, showing
+from assistant.dialogue import heard_names, keeping, practicing, showing
 from assistant.dialogue.asides import aside
 from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
@@ -63,6 +63,9 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     steps = told_steps(dialogue, words.text, meant)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
+    heard = heard_names.new_names(dialogue, meant) if event.by_voice else ()
+    if heard:
+        return heard_names.read_back(dialogue, meant, heard, words)
     unsure = event.understanding.confidence < SAFETY.act_confidence
     plain = answers_plainly(dialogue, meant, words.text) or names_known(dialogue, meant)
     if unsure and not plain:
@@ -203,6 +206,8 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
     match act:
         case acts.Affirm() | acts.Approve() | acts.Start():
             return act_on_all(free, pending.acts, confirmed)
+        case acts.Deny() if pending.line.topic == heard_names.TOPIC:
+            return tell(free, line("told", "say_or_spell"))
         case acts.Deny() if pending.line.topic == "did_you_mean":
             return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
         case acts.Deny():

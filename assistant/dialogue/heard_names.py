@@ -1,0 +1,56 @@
+"""Names heard by voice are read back before they are taken: "red block: right?".
+
+A recognizer writes the words it knows, and a name may be any word. What is asked for is said
+again, spelled letter by letter, or typed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask
+from assistant.dialogue.naming import things_in
+from assistant.dialogue.state import Dialogue, Introducing, Pending
+from assistant.dialogue.turn import Turn, Words, line
+from assistant.language.actions import read_action
+from assistant.model import teacher_acts as acts
+
+TOPIC = "heard_names"
+
+
+def new_names(dialogue: Dialogue, meant: Sequence[acts.TeacherAct]) -> tuple[str, ...]:
+    """Return the names among answers to a question for names that the robot does not know."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or _asks_otherwise(dialogue):
+        return ()
+    told = [act.value for act in meant if isinstance(act, acts.Inform)]
+    if not told or len(told) != len(meant):
+        return ()
+    values = [text for value in told for text in (value if isinstance(value, tuple) else (value,))]
+    names = [text for text in values if isinstance(text, str)]
+    match state.asked:
+        case "task_name":
+            return tuple(names)
+        case "objects":
+            scene = dialogue.known.scene
+            things = things_in(tuple(names), scene, dialogue.language)
+            return tuple(thing.name for thing in things if thing.name not in scene.bodies)
+        case "subtask_name":
+            return tuple(
+                one for one in names if read_action(one, (), dialogue.language).action is None
+            )
+        case _:
+            return ()
+
+
+def read_back(
+    dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], names: Sequence[str], words: Words
+) -> Turn:
+    """Read names back and wait for a yes."""
+    question = line("confirm", TOPIC, asked="did_you_mean", names=list(names))
+    return ask(replace(dialogue, pending=Pending("did_you_mean", question, meant, words.text)))
+
+
+def _asks_otherwise(dialogue: Dialogue) -> bool:
+    return dialogue.pending is not None and dialogue.pending.line.topic != TOPIC
