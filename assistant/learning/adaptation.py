@@ -25,7 +25,7 @@ from assistant.learning.amendments import Bend, bends, commanded, speed_factors,
 from assistant.learning.blending import azimuth_turned, eq6_way, two_frame_way
 from assistant.learning.holding import held_stretches
 from assistant.learning.rigid import Floats, Rows, composed, inverted, placed
-from assistant.learning.timing import bounded_times, hand_speeds, resting_steps
+from assistant.learning.timing import bounded_times, hand_speeds, resting_steps, rms_jerk
 from assistant.learning.ways import Ways, prepare, smooth_way
 from assistant.learning.weights import FrameWeights, frame_weights
 from assistant.model.lesson import Station
@@ -118,6 +118,8 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     factors = _between(speed_factors(task, lesson, learned))
     dwell_s = GeneralizationSettings().dwell_s
     steps_s = np.diff(learned.t_s) / factors
+    step_s = float(learned.t_s[1] - learned.t_s[0])
+    jerk = step_s**3 * (lesson.jerk_m_s3 or rms_jerk(path[:, :3], step_s))
     return AdaptationPlan(
         task=task.name,
         settings=settings,
@@ -133,7 +135,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
             compose(shift, one.hand_in_frame).tolist()
             for shift, one in zip(shifts, stations, strict=True)
         ],
-        ways=prepare(path, held, settings.least_radius_m),
+        ways=prepare(path, held, settings, jerk),
         weights=frame_weights(
             path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
         ),

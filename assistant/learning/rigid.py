@@ -94,3 +94,34 @@ def arc(quat: Floats) -> tuple[list[float], float]:
     angle = 2.0 * math.atan2(sine, w)
     sign = -1.0 if angle > math.pi - 1e-9 and z < 0.0 else 1.0
     return [sign * x / sine, sign * y / sine, sign * z / sine], angle
+
+
+def carrier(turning: Rows, move: Floats) -> list[float]:
+    """Return the matrix, shape (8, 7), row by row, that moves rows of xyz, 1 and quaternion.
+
+    `turning` is the matrix of the move's own turn. One flat list: arrays are made quicker of it.
+    """
+    (a, b, c), (d, e, f), (g, h, i) = turning
+    px, py, pz, x, y, z, w = move
+    # fmt: off
+    return [
+        a, d, g, 0.0, 0.0, 0.0, 0.0,
+        b, e, h, 0.0, 0.0, 0.0, 0.0,
+        c, f, i, 0.0, 0.0, 0.0, 0.0,
+        px, py, pz, 0.0, 0.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, w, z, -y, -x,
+        0.0, 0.0, 0.0, -z, w, x, -y,
+        0.0, 0.0, 0.0, y, -x, w, -z,
+        0.0, 0.0, 0.0, x, y, z, w,
+    ]
+    # fmt: on
+
+
+def moved(rows: Rows, turning: Rows, move: Floats) -> Rows:
+    """Return places moved rigidly; `turning` as in `carrier`."""
+    (a, b, c), (d, e, f), (g, h, i) = turning
+    px, py, pz = move[:3]
+    return [
+        [a * x + b * y + c * z + px, d * x + e * y + f * z + py, g * x + h * y + i * z + pz]
+        for x, y, z in rows
+    ]

@@ -1,10 +1,10 @@
 """The default blending: stretches kept rigid, the ways between carried with least jerk.
 
 Around each station the path is moved rigidly with its object or target. Between two stations
-a correction is added that joins both ends with their speed and acceleration, the quintic,
-which of all such corrections has the least squared jerk. Distance from the base's axis,
-azimuth and height are corrected, not xyz, so that the way turns with the azimuth of object
-and target and never cuts across the base.
+goes the curve of least jerk that joins both ends with their speed and acceleration, the
+quintic. What the learned way adds to the quintic between its own ends is added to it, turned with
+the stretches. Where a way would cut across the base it is pressed outward, and where a far
+setup costs jerk, what was added is evened out as far as needed.
 """
 
 from __future__ import annotations
@@ -17,29 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.learning.rigid import Floats, Rows, arc, left_factor, matrix, multiply
+from assistant.learning.clearing import Clearance, prepared, presses
+from assistant.learning.evening import even, share_needed, third
+from assistant.learning.rigid import Floats, Rows, carrier, matrix, moved
+from assistant.learning.turning import Turn, summed, turned, turns
 from assistant.learning.weights import least_jerk, quintic
+from assistant.model.settings import BlendingSettings
 
 Span = tuple[int, int]
-Turn = tuple[float, list[float]]
-
-_UP = (0.0, 0.0, 1.0, 0.0)
-
-
-@dataclass(frozen=True, slots=True)
-class End:
-    """The sample at an end of a way, between its two neighbors.
-
-    Parameters
-    ----------
-    near : three rows of three floats
-        xyz.
-    around : three rows of three floats
-        The same as distance, azimuth and height; or xyz again.
-    """
-
-    near: Rows
-    around: Rows
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,20 +35,30 @@ class Between:
     ----------
     first, last : int
         Last sample of the one stretch, first of the other; those between are carried.
-    hermite : array, shape (6, m)
-        Weights of value, slope and curvature (a sample's step being 1) at both ends.
+    inside : slice
+        Where those stand among all that are carried.
+    curves : array, shape (11 or 14, m)
+        Weights of value, slope and curvature (a sample's step being 1) at both ends; what the
+        learned way adds, as rows of `_by_turn`; weights of the three presses outward.
+    evening : array, shape (5, m)
+        What evens out that which the learned way adds, as rows of `_by_turn`.
     share : array, shape (2, m)
         Share of the turn made, and 1.
     quats : array, shape (4, m)
-    ends : two of End
+    ends : two times three rows of three floats
+        xyz of the sample at either end, between its two neighbors.
+    clear : Clearance or None
     """
 
     first: int
     last: int
-    hermite: Array
+    inside: slice
+    curves: Array
+    evening: Array
     share: Array
     quats: Array
-    ends: tuple[End, End]
+    ends: tuple[Rows, Rows]
+    clear: Clearance | None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,11 +75,15 @@ class Ways:
     middles : three floats a stretch
         A place within each, whose azimuth the hand's turning follows.
     polar : bool
-        Whether the way turns with the azimuth about the base.
+        Whether the ways turn with the azimuth about the base and are kept clear of it.
+    keep : float
+        See `BlendingSettings.keep_out`.
     between : tuple of Between
         One fewer than `held`.
-    around : array, shape (3, l)
-        Distance, azimuth and height, or xyz, of all samples between stretches.
+    carried : int
+        Number of all samples between stretches.
+    most : float
+        Sum of squared third differences allowed there.
     """
 
     path: Array
@@ -92,11 +91,15 @@ class Ways:
     stretches: tuple[Array, ...]
     middles: Rows
     polar: bool
+    keep: float
     between: tuple[Between, ...]
-    around: Array
+    carried: int
+    most: float
 
 
-def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
+def prepare(
+    path: Array, held: tuple[Span, ...], settings: BlendingSettings, shown_jerk: float = math.inf
+) -> Ways:
     """Return what `smooth_way` needs and does not depend on a setup.
 
     Parameters
@@ -104,24 +107,30 @@ def prepare(path: Array, held: tuple[Span, ...], least_radius_m: float) -> Ways:
     path : array, shape (n, 7)
     held : tuple of (first, last)
         In order; the first begins at sample 0, the last ends at n - 1.
-    least_radius_m : float
-        A path that comes nearer to the base's axis is carried in xyz.
+    settings : BlendingSettings
+    shown_jerk : float
+        Root mean square of the demonstration's jerk in m, a sample's step being 1; without it
+        nothing is evened out.
     """
-    radius = np.hypot(path[:, 0], path[:, 1])
-    polar = bool(np.min(radius) >= least_radius_m)
-    around = path[:, :3].copy()
-    if polar:
-        around[:, 0], around[:, 1] = radius, np.unwrap(np.arctan2(path[:, 1], path[:, 0]))
-    between = tuple(
-        _between(path, around, first, last) for (_, first), (last, _) in itertools.pairwise(held)
+    polar = bool(np.min(np.hypot(path[:, 0], path[:, 1])) >= settings.least_radius_m)
+    between: list[Between] = []
+    carried = 0
+    for (_, first), (last, _) in itertools.pairwise(held):
+        between.append(_between(path, polar, (first, last), carried, settings.even_m))
+        carried = between[-1].inside.stop
+    rows = np.hstack([path[:, :3], np.ones((len(path), 1)), path[:, 3:]])
+    most = (settings.jerk_share * shown_jerk) ** 2 * max(len(path) - 3, 0)
+    return Ways(
+        path,
+        held,
+        tuple(rows[first : last + 1].copy() for first, last in held),
+        [path[last, :3].tolist() for _, last in held],
+        polar,
+        settings.keep_out,
+        tuple(between),
+        carried,
+        most - _held_jerk(path, between),
     )
-    middles = [path[last, :3].tolist() for _, last in held]
-    ones = np.ones((len(path), 1))
-    rows = np.hstack([path[:, :3], ones, path[:, 3:]])
-    stretches = tuple(rows[first : last + 1].copy() for first, last in held)
-    free = [around[way.first + 1 : way.last] for way in between]
-    carried = np.ascontiguousarray(np.vstack([*free, np.zeros((0, 3))]).T)
-    return Ways(path, held, stretches, middles, polar, between, carried)
 
 
 def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
@@ -143,71 +152,73 @@ def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
     out = np.empty_like(ways.path)
     turning = [matrix(move[3:]) for move in moves]
     for k, (first, last) in enumerate(ways.held):
-        np.matmul(ways.stretches[k], _rigid(turning[k], moves[k]), out=out[first : last + 1])
-    if ways.around.shape[1]:
+        rigid = np.array(carrier(turning[k], moves[k])).reshape(8, 7)
+        np.matmul(ways.stretches[k], rigid, out=out[first : last + 1])
+    if ways.carried:
         _carry(ways, turning, moves, out)
     return out
 
 
-def _between(path: Array, around: Array, first: int, last: int) -> Between:
+def _between(path: Array, polar: bool, span: Span, carried: int, most_m: float) -> Between:
+    first, last = span
     length = max(last - first, 1)
     share = np.arange(1, length) / length
-    inside = slice(first + 1, last)
+    inside = slice(first + 1, first + length)
+    ends = _about(path, first), _about(path, last)
+    joining = quintic(share, length)
+    details = path[inside, :3] - joining @ np.array([*_end(ends[0]), *_end(ends[1])])
+    cleared = prepared(path[first : last + 1, :2], joining, details, share) if polar else None
+    made = least_jerk(share)
+    bumps = [] if cleared is None else [cleared[1].T]
     return Between(
         first,
         last,
-        np.ascontiguousarray(quintic(share, length).T),
-        np.stack([least_jerk(share), np.ones(len(share))]),
+        slice(carried, carried + length - 1),
+        np.vstack([joining.T, _by_turn(details, made), *bumps]),
+        _by_turn(even(details, share, most_m) - details, made),
+        np.stack([made, np.ones(len(share))]),
         np.ascontiguousarray(path[inside, 3:].T),
-        (_about(path, around, first), _about(path, around, last)),
+        ends,
+        cleared[0] if cleared is not None else None,
     )
 
 
-def _about(path: Array, around: Array, end: int) -> End:
+def _by_turn(details: Array, made: Array) -> Array:
+    """Return rows, shape (5, m), that weights as in `_turned_details` turn and sum up."""
+    x, y, z = details.T
+    return np.stack([(1.0 - made) * x, (1.0 - made) * y, made * x, made * y, z])
+
+
+def _turned_details(here: Turn, there: Turn) -> Rows:
+    """Return the weights of the rows of `_by_turn`, each in x, y and z."""
+    return [
+        [here.cos, here.sin, 0.0],
+        [-here.sin, here.cos, 0.0],
+        [there.cos, there.sin, 0.0],
+        [-there.sin, there.cos, 0.0],
+        [0.0, 0.0, 1.0],
+    ]
+
+
+def _held_jerk(path: Array, between: Sequence[Between]) -> float:
+    """Return the sum of squared third differences that reach out of the ways."""
+    squares = np.sum(third(path[:, :3].T) ** 2, axis=0)
+    for way in between:
+        squares[way.first + 1 : max(way.last - 3, way.first + 1)] = 0.0
+    return float(np.sum(squares))
+
+
+def _about(path: Array, end: int) -> Rows:
     # Slope and curvature at an end are taken from its two neighbors; at the path's own ends
     # the sample itself stands in for the missing one.
     samples = np.clip([end - 1, end, end + 1], 0, len(path) - 1)
-    return End(path[samples, :3].tolist(), around[samples].tolist())
+    rows: Rows = path[samples, :3].tolist()
+    return rows
 
 
-def _rigid(turning: Rows, move: Floats) -> Array:
-    """Return the matrix, shape (8, 7), that moves rows of xyz, 1 and quaternion."""
-    (a, b, c), (d, e, f), (g, h, i) = turning
-    px, py, pz, x, y, z, w = move
-    return np.array(
-        [
-            [a, d, g, 0.0, 0.0, 0.0, 0.0],
-            [b, e, h, 0.0, 0.0, 0.0, 0.0],
-            [c, f, i, 0.0, 0.0, 0.0, 0.0],
-            [px, py, pz, 0.0, 0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0, w, z, -y, -x],
-            [0.0, 0.0, 0.0, -z, w, x, -y],
-            [0.0, 0.0, 0.0, y, -x, w, -z],
-            [0.0, 0.0, 0.0, x, y, z, w],
-        ]
-    )
-
-
-def _end(end: End, turning: Rows, move: Floats, polar: bool) -> Rows:
-    """Return value, slope and curvature of the correction at an end, one row each."""
-    (a, b, c), (d, e, f), (g, h, i) = turning
-    px, py, pz = move[:3]
-    changes = []
-    middle = 0.0
-    for k in (1, 0, 2):
-        x, y, z = end.near[k]
-        first, second = a * x + b * y + c * z + px, d * x + e * y + f * z + py
-        if polar:
-            azimuth = math.atan2(second, first)
-            middle = azimuth if k == 1 else middle
-            # The three neighbors lie together; only between stations may azimuths differ much.
-            first, second = (
-                math.hypot(first, second),
-                middle + math.remainder(azimuth - middle, 2.0 * math.pi),
-            )
-        was = end.around[k]
-        changes.append((first - was[0], second - was[1], g * x + h * y + i * z + pz - was[2]))
-    (x, y, z), (xa, ya, za), (xb, yb, zb) = changes
+def _end(about: Rows) -> Rows:
+    """Return value, slope and curvature at the middle one of three samples, one row each."""
+    (xa, ya, za), (x, y, z), (xb, yb, zb) = about
     return [
         [x, y, z],
         [(xb - xa) / 2.0, (yb - ya) / 2.0, (zb - za) / 2.0],
@@ -217,74 +228,39 @@ def _end(end: End, turning: Rows, move: Floats, polar: bool) -> Rows:
 
 def _carry(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats], out: Array) -> None:
     """Carry all samples between stretches at once: small arrays cost more than long ones."""
-    samples = ways.around.shape[1]
-    # Rows of `angles`: the azimuth, half of its change, half of the arc.
-    carried, angles, terms = np.empty((3, samples)), np.empty((3, samples)), np.empty((16, samples))
-    turns = _turns(ways, turning, moves)
-    done = 0
+    carried, halves, terms = (np.empty((rows, ways.carried)) for rows in (3, 2, 16))
+    by = turns(ways.middles, turning, moves, ways.polar)
     for k, way in enumerate(ways.between):
-        inside = slice(done, done + way.share.shape[1])
-        ends = [
-            *_end(way.ends[0], turning[k], moves[k], ways.polar),
-            *_end(way.ends[1], turning[k + 1], moves[k + 1], ways.polar),
-        ]
-        np.matmul(np.array(ends).T, way.hermite, out=carried[:, inside])
-        halves, factors = _turned(turns[k], turns[k + 1])
-        np.matmul(np.array(halves), way.share, out=angles[1:, inside])
-        np.matmul(np.array(factors), way.quats, out=terms[:, inside])
-        done = inside.stop
-    carried += ways.around
-    angles[0] = carried[1]
-    cos, sin = np.cos(angles), np.sin(angles)
-    if ways.polar:
-        np.multiply(carried[0], sin[0], out=carried[1])
-        carried[0] *= cos[0]
-    quats = _summed(cos, sin, terms.reshape(4, 4, samples))
-    done = 0
+        here, there = by[k], by[k + 1]
+        rows = _end(moved(way.ends[0], turning[k], moves[k]))
+        rows += _end(moved(way.ends[1], turning[k + 1], moves[k + 1]))
+        outward = presses(way.clear, rows, (here, there), ways.keep) if way.clear else []
+        rows += _turned_details(here, there) + outward
+        np.matmul(np.array(rows).T, way.curves, out=carried[:, way.inside])
+        angles, factors = turned(here, there)
+        np.matmul(np.array(angles), way.share, out=halves[:, way.inside])
+        np.matmul(np.array(factors), way.quats, out=terms[:, way.inside])
+    rough = _third(ways, carried)
+    if np.vdot(rough, rough) > ways.most:
+        carried += _evened(ways, by, rough)
+    quats = summed(halves, terms.reshape(4, 4, ways.carried))
     for way in ways.between:
-        rows, inside = out[way.first + 1 : way.last], slice(done, done + way.share.shape[1])
-        rows[:, :3], rows[:, 3:] = carried[:, inside].T, quats[:, inside].T
-        done = inside.stop
+        free = out[way.first + 1 : way.last]
+        free[:, :3], free[:, 3:] = carried[:, way.inside].T, quats[:, way.inside].T
 
 
-def _summed(cos: Array, sin: Array, terms: Array) -> Array:
-    """Return the product of both turns and the learned one: a sum with these weights."""
-    quats: Array = terms[0]
-    quats *= cos[1] * cos[2]
-    for weight, term in ((cos[1] * sin[2], 1), (sin[1] * cos[2], 2), (sin[1] * sin[2], 3)):
-        terms[term] *= weight
-        quats += terms[term]
-    return quats
+def _evened(ways: Ways, by: Sequence[Turn], rough: Array) -> Array:
+    """Return what to add to the ways so that they are not rougher than allowed, shape (3, l)."""
+    change = np.empty((3, ways.carried))
+    for k, way in enumerate(ways.between):
+        rows = np.array(_turned_details(by[k], by[k + 1]))
+        np.matmul(rows.T, way.evening, out=change[:, way.inside])
+    return share_needed(rough, _third(ways, change), ways.most) * change
 
 
-def _turns(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats]) -> list[Turn]:
-    """Return each stretch's change of azimuth and the turn that remains after it."""
-    turns = []
-    for rows, move, (x, y, z) in zip(turning, moves, ways.middles, strict=True):
-        azimuth = 0.0
-        if ways.polar:
-            after_x = rows[0][0] * x + rows[0][1] * y + rows[0][2] * z + move[0]
-            after_y = rows[1][0] * x + rows[1][1] * y + rows[1][2] * z + move[1]
-            azimuth = math.atan2(after_y, after_x) - math.atan2(y, x)
-        back = [0.0, 0.0, math.sin(-azimuth / 2.0), math.cos(azimuth / 2.0)]
-        turns.append((azimuth, multiply(back, move[3:])))
-    return turns
-
-
-def _turned(here: Turn, there: Turn) -> tuple[Rows, Rows]:
-    """Return how the hand turns on a way: azimuth, then the arc, then the learned turn.
-
-    Returns
-    -------
-    halves : two rows of two floats
-        Half of the azimuth's change and of the arc: for the share made, and where it begins.
-    factors : sixteen rows of four floats
-        The four quaternions, as left factors, that the turns are weighted sums of.
-    """
-    (from_azimuth, rest), (to_azimuth, end) = here, there
-    back = [-rest[0], -rest[1], -rest[2], rest[3]]
-    axis, angle = arc(multiply(back, end))
-    begun = multiply(rest, [*axis, 0.0])
-    terms = [rest, begun, multiply(_UP, rest), multiply(_UP, begun)]
-    halves = [[0.5 * (to_azimuth - from_azimuth), 0.5 * from_azimuth], [0.5 * angle, 0.0]]
-    return halves, [row for term in terms for row in left_factor(term)]
+def _third(ways: Ways, rows: Array) -> Array:
+    """Return third differences within the ways; those that span two count as nothing."""
+    found = third(rows)
+    for way in ways.between[:-1]:
+        found[:, max(way.inside.stop - 3, 0) : way.inside.stop] = 0.0
+    return found

@@ -90,7 +90,7 @@ class BlendingSettings:
     """But no more than this share of the way between two stations."""
     least_radius_m: float = 0.10
     """Paths that come nearer to the base's axis are not turned with the azimuth."""
-    keep_out: float = 0.9
+    keep_out: float = 0.95
     """A way to another azimuth stays so far out, as a share of the distances it leads between."""
     jerk_share: float = 1.05
     """Of the demonstration's jerk: a way that has more is evened out."""
@@ -239,6 +239,8 @@ class DecodingSettings:
     heard: float = 0.7
     settling: float = 1.5
     direction: float = 5.0
+    clear_along: float = 0.5
+    astray: float = 4.0
     still: float = 1.6
     wide: float = 8.0
     turned: float = 1.2
@@ -250,6 +252,7 @@ class DecodingSettings:
     skip: float = 2.5
     skip_optional: float = 2.0
     insert: float = 4.5
+    reorder: float = 4.0
 
 
 @dataclass(frozen=True, slots=True)

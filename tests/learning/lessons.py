@@ -8,12 +8,21 @@ from functools import lru_cache
 
 import numpy as np
 
-from assistant.geometry import Array, pose_from_mm_deg, quat_blend
+from assistant.geometry import (
+    Array,
+    angle_between,
+    distance_between,
+    pose_from_mm_deg,
+    quat_blend,
+    relative,
+)
+from assistant.learning.adaptation import AdaptationPlan, frames_in
 from assistant.learning.lesson import learn
 from assistant.learning.weights import least_jerk
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import Lesson
+from assistant.model.motion import HandPath
 from assistant.model.scene import Scene
 from assistant.model.setup import Place, Setup
 from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
@@ -22,6 +31,8 @@ BLOCK = Place("hand", (560.3, 196.8, 396.7))
 TARGET = Place("hand", (588.8, -201.7, 403.0), (0.0, 0.0, 34.7))
 NAMES = ("approach object", "grasp object", "move up object", "move down", "place object")
 CUTS_S = (4.0, 6.0, 8.0, 12.0)
+SCENE = Scene(hand_speed_m_s=1.0)
+SHOWN = Setup("shown", places={"block": BLOCK, "target": TARGET})
 
 
 def task() -> Task:
@@ -100,3 +111,26 @@ def moved(rng: np.random.Generator, name: str = "moved") -> Setup:
     start = Place("hand", (406.4, float(rng.uniform(-100, 100)), 635.0))
     places = {"block": place(560, 197, 397, 0.0), "target": place(589, -202, 403, 10.0)}
     return Setup(name, "table", start, places)
+
+
+def around(rng: np.random.Generator) -> Setup:
+    """Return a setup with block, target and start anywhere around the base."""
+
+    def place(z_mm: float) -> Place:
+        azimuth, radius_mm = rng.uniform(-165.0, 165.0), rng.uniform(400.0, 620.0)
+        ray, yaw = np.deg2rad(azimuth), azimuth + rng.uniform(-60.0, 60.0)
+        at = (float(radius_mm * np.cos(ray)), float(radius_mm * np.sin(ray)), z_mm)
+        return Place("hand", at, (0.0, 0.0, float(yaw)))
+
+    places = {"block": place(400.0), "target": place(400.0)}
+    return Setup("around", "table", place(float(rng.uniform(380.0, 700.0))), places)
+
+
+def errors(plan: AdaptationPlan, path: HandPath, setup: Setup) -> list[float]:
+    """Return how far the hand is from where it should be at each station, in m and rad."""
+    found = []
+    for frame, one in zip(frames_in(plan, SCENE, setup), plan.stations, strict=True):
+        seen = relative(frame, path.path[one.at])
+        found.append(float(distance_between(seen, one.hand_in_frame)))
+        found.append(float(angle_between(seen, one.hand_in_frame)))
+    return found

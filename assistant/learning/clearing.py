@@ -1,0 +1,211 @@
+"""Ways are pressed outward where they would cut across the base, with least jerk.
+
+A way from one place to another far around the base would lead straight through it. It is
+pressed away from the base's axis at three instants, each along a direction of its own, just
+as far as is needed: of all ways that stay so far out at these instants it has the least jerk.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from assistant.geometry import Array
+from assistant.learning.rigid import Floats, Rows
+from assistant.learning.turning import Turn
+from assistant.learning.weights import least_jerk, quintic
+
+INSTANTS, SHARES = (0.3, 0.5, 0.7), (0.25, 0.5, 0.75)
+"""Shares of the time at which a way is pressed, and of the azimuth it has then turned.
+
+With these the jerk is within a tenth of the least there is for turns up to 300 degrees.
+"""
+LEAST_SAMPLES = 12
+_NEARLY_M = 1e-9
+_CLEAR = [[0.0, 0.0, 0.0]] * 3
+_SUBSETS = [some for some in itertools.product((0.0, 1.0), repeat=3) if any(some)]
+
+
+@dataclass(frozen=True, slots=True)
+class Clearance:
+    """How a way is pressed outward, prepared once.
+
+    Parameters
+    ----------
+    columns : three rows of six floats
+        Weights of the way's ends at each instant, as in `quintic`.
+    details : three rows of three floats
+        What the learned way adds to the least-jerk curve between its ends, there.
+    azimuth, radius : three floats
+        Of the learned way there.
+    made : three floats
+        Share of a displacement made by then.
+    stiff : three rows of three floats
+        How far a press at one instant moves the way at another.
+    begin, end : two floats
+        Azimuth and radius of the learned way's ends.
+    """
+
+    columns: Rows
+    details: Rows
+    azimuth: Floats
+    radius: Floats
+    made: Floats
+    stiff: Rows
+    begin: tuple[float, float]
+    end: tuple[float, float]
+
+
+def bump(share: Array, instant: float) -> Array:
+    """Return the least-jerk curve that rests at both ends and is pressed at one instant.
+
+    The way of the press is up to a factor: a reproducing kernel of squared jerk, so that a sum
+    of bumps through given places at their instants has the least jerk of all such curves.
+    """
+    u = 1.0 - instant
+    back = quintic(share, 1)[:, 3:] @ np.array([u**5 / 120.0, u**4 / 24.0, u**3 / 6.0])
+    # Scaled so that the curve's greatest weights are near 1.
+    return np.asarray(1e4 * (back - np.maximum(share - instant, 0.0) ** 5 / 120.0))
+
+
+def prepared(
+    xy: Array, hermite: Array, details: Array, share: Array
+) -> tuple[Clearance, Array] | None:
+    """Return what a way needs to be pressed, and the bumps, shape (m, 3); None if too short.
+
+    Parameters
+    ----------
+    xy : array, shape (m + 2, 2)
+        The learned way, ends included.
+    hermite : array, shape (m, 6)
+    details : array, shape (m, 3)
+    share : array, shape (m,)
+        Of the way's time, ends excluded.
+    """
+    if len(share) < LEAST_SAMPLES:
+        return None
+    radius, azimuth = np.hypot(*xy.T), np.unwrap(np.arctan2(xy[:, 1], xy[:, 0]))
+    at = [round(instant * (len(share) + 1)) - 1 for instant in INSTANTS]
+    there = [k + 1 for k in at]
+    bumps = np.stack([bump(share, float(share[k])) for k in at], axis=1)
+    clearance = Clearance(
+        hermite[at].tolist(),
+        details[at].tolist(),
+        azimuth[there].tolist(),
+        radius[there].tolist(),
+        least_jerk(share[at]).tolist(),
+        bumps[at].tolist(),
+        (float(azimuth[0]), float(radius[0])),
+        (float(azimuth[-1]), float(radius[-1])),
+    )
+    return clearance, bumps
+
+
+def presses(clear: Clearance, ends: Rows, turns: tuple[Turn, Turn], keep: float) -> Rows:
+    """Return the weights of the three bumps, a row of xyz each; zeros where all is clear.
+
+    Parameters
+    ----------
+    clear : Clearance
+    ends : six rows of three floats
+        Value, slope and curvature of the new way at both ends.
+    turns : two of Turn
+        Of the stretches at either end.
+    keep : float
+        Share of the distance from the axis that is kept, against a way that turns evenly.
+    """
+    begin = _changed(ends[0], clear.begin, turns[0].azimuth)
+    end = _changed(ends[3], clear.end, turns[1].azimuth)
+    directions, needs = [], []
+    for k, share in enumerate(SHARES):
+        made = clear.made[k]
+        angle = clear.azimuth[k] + begin[0] + (end[0] - begin[0]) * share
+        radius = clear.radius[k] + begin[1] + (end[1] - begin[1]) * made
+        x, y = _passed(clear, k, ends, turns)
+        out = math.cos(angle), math.sin(angle)
+        directions.append(out)
+        needs.append(keep * radius - (out[0] * x + out[1] * y))
+    if max(needs) <= 0.0:
+        return _CLEAR
+    stiff = [
+        [row[j] * (x * directions[j][0] + y * directions[j][1]) for j in range(3)]
+        for (x, y), row in zip(directions, clear.stiff, strict=True)
+    ]
+    found = zip(least_presses(stiff, needs), directions, strict=True)
+    return [[press * x, press * y, 0.0] for press, (x, y) in found]
+
+
+def _changed(place: Floats, shown: tuple[float, float], turn: float) -> tuple[float, float]:
+    """Return by how much azimuth and radius of an end change; the azimuth as `turn` goes."""
+    change = math.atan2(place[1], place[0]) - shown[0]
+    radius = math.hypot(place[0], place[1]) - shown[1]
+    return turn + math.remainder(change - turn, 2.0 * math.pi), radius
+
+
+def _passed(clear: Clearance, k: int, ends: Rows, turns: tuple[Turn, Turn]) -> tuple[float, float]:
+    """Return x and y of the way, not pressed yet, at an instant."""
+    here, there = turns
+    cos = here.cos + (there.cos - here.cos) * clear.made[k]
+    sin = here.sin + (there.sin - here.sin) * clear.made[k]
+    x, y, _ = clear.details[k]
+    a, b, c, d, e, f = clear.columns[k]
+    (ax, ay, _), (bx, by, _), (cx, cy, _), (dx, dy, _), (ex, ey, _), (fx, fy, _) = ends
+    return (
+        cos * x - sin * y + a * ax + b * bx + c * cx + d * dx + e * ex + f * fx,
+        sin * x + cos * y + a * ay + b * by + c * cy + d * dy + e * ey + f * fy,
+    )
+
+
+def least_presses(stiff: Rows, needs: Floats) -> list[float]:
+    """Return the presses, none below zero, that meet all needs with the least squared jerk.
+
+    Parameters
+    ----------
+    stiff : three rows of three floats
+        Positive definite.
+    needs : three floats
+        How far the way must at least be moved at each instant.
+
+    Notes
+    -----
+    A quadratic program with three inequalities: exactly one set of presses above zero fits, and
+    the answer depends continuously on the needs. The likeliest sets are tried first.
+    """
+    some = [1.0 if need > 0.0 else 0.0 for need in needs]
+    while any(some):
+        found = _meeting(stiff, needs, some)
+        if _fits(stiff, needs, found):
+            return found
+        some[min((k for k in range(3) if some[k]), key=found.__getitem__)] = 0.0
+    every = (_meeting(stiff, needs, chosen) for chosen in _SUBSETS)
+    return next((found for found in every if _fits(stiff, needs, found)), [0.0, 0.0, 0.0])
+
+
+def _meeting(stiff: Rows, needs: Floats, some: Floats) -> list[float]:
+    """Return the presses at some instants (1, others 0) that meet the needs there exactly."""
+    i, j, k = some
+    # An instant left out has a system of its own, whose answer is 0. Solved by cofactors.
+    a, b, c = stiff[0][0] * i + 1.0 - i, stiff[0][1] * i * j, stiff[0][2] * i * k
+    d, e, f = stiff[1][1] * j + 1.0 - j, stiff[1][2] * j * k, stiff[2][2] * k + 1.0 - k
+    x, y, z = needs[0] * i, needs[1] * j, needs[2] * k
+    first, second, last = d * f - e * e, c * e - b * f, b * e - c * d
+    middle, cross, end = a * f - c * c, b * c - a * e, a * d - b * b
+    whole = a * first + b * second + c * last
+    return [
+        (first * x + second * y + last * z) / whole,
+        (second * x + middle * y + cross * z) / whole,
+        (last * x + cross * y + end * z) / whole,
+    ]
+
+
+def _fits(stiff: Rows, needs: Floats, found: Floats) -> bool:
+    a, b, c = found
+    if a < 0.0 or b < 0.0 or c < 0.0:
+        return False
+    return all(
+        row[0] * a + row[1] * b + row[2] * c >= need - _NEARLY_M
+        for row, need in zip(stiff, needs, strict=True)
+    )

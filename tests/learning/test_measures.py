@@ -1,0 +1,196 @@
+from __future__ import annotations
+
+import itertools
+from dataclasses import replace
+from types import ModuleType
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from assistant.geometry import (
+    Array,
+    angle_between,
+    compose,
+    distance_between,
+    pose_from_mm_deg,
+    pose_to_mm_deg,
+    relative,
+)
+from assistant.learning.adaptation import (
+    AdaptationPlan,
+    adapt,
+    adapted_path,
+    frames_in,
+    plan_adaptation,
+)
+from assistant.learning.lesson import learn
+from assistant.learning.measures import measured
+from assistant.learning.timing import rms_jerk, turn_speeds
+from assistant.learning.ways import prepare
+from assistant.learning.weights import quintic
+from assistant.model.lesson import Station
+from assistant.model.motion import HandPath
+from assistant.model.setup import Place, Setup
+from assistant.model.task import Task
+from tests.generators import generator_a, generator_b
+from tests.learning.lessons import (
+    SCENE,
+    around,
+    errors,
+    learned,
+    moved,
+)
+
+
+@given(seed=st.integers(0, 10_000))
+@settings(max_examples=15, deadline=None)
+def test_near_setups_keep_jerk_speed_and_duration(seed: int) -> None:
+    made = learned()
+    plan, setup = plan_adaptation(made), moved(np.random.default_rng(seed))
+    path = adapt(plan, SCENE, setup)
+    told = measured(made, plan, path, SCENE, setup)
+    assert told["jerk_ratio"] <= 1.15
+    assert told["peak_speed_ratio"] <= 1.0
+    assert told["duration_ratio"] <= 1.2
+    assert np.all(np.diff(path.t_s) > 0)
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.settings.turn_rad_s + 1e-9
+
+
+@pytest.mark.parametrize("generator", [generator_a, generator_b])
+@pytest.mark.parametrize("seed", [0, 2, 5, 6])
+def test_other_teachers_ways_keep_their_jerk_too(generator: ModuleType, seed: int) -> None:
+    shown = generator.generate(seed)
+    made = replace(
+        shown.task, learned=learn([shown.demonstration], shown.task, cuts_s=shown.cuts_s)
+    )
+    plan = plan_adaptation(made)
+    rng = np.random.default_rng(seed)
+    for _ in range(3):
+        setup = Setup("near", places={one.frame: near(one, rng) for one in plan.stations})
+        path = adapt(plan, SCENE, setup, start=plan.ways.path[0])
+        told = measured(made, plan, path, SCENE, setup)
+        assert max(errors(plan, path, setup)) < 1e-9
+        assert told["peak_speed_ratio"] <= 1.0
+        least = least_jerk_ratio(made, plan, path, setup)
+        assert told["jerk_ratio"] <= max(1.15, 1.05 * least)
+
+
+def near(station: Station, rng: np.random.Generator) -> Place:
+    xyz, rpy = pose_to_mm_deg(station.frame_to_world)
+    away, yaw = rng.uniform(-80.0, 80.0, 3), rpy[2] + rng.uniform(-30.0, 30.0)
+    x, y, z = (float(one) for one in xyz + away)
+    return Place("hand", (x, y, z), (float(rpy[0]), float(rpy[1]), float(yaw)))
+
+
+@given(seed=st.integers(0, 10_000))
+@settings(max_examples=15, deadline=None)
+def test_far_setups_cost_hardly_more_than_the_least_there_is(seed: int) -> None:
+    """All around the base, what is asked for is bounded by what geometry asks.
+
+    Jerk: at most 1.15 of the demonstration's, or 1.2 of the path's that joins the same
+    stretches in the same time, as far out from the base, with nothing of the teacher's hand.
+    Duration: at most 1.2, or 1.25 of the time with each way at the demonstration's own pace or
+    at its greatest speed from end to end, whichever is longer.
+    """
+    made = learned()
+    plan, setup = plan_adaptation(made), around(np.random.default_rng(seed))
+    path = adapt(plan, SCENE, setup)
+    told = measured(made, plan, path, SCENE, setup)
+    assert max(errors(plan, path, setup)) < 1e-9
+    least = least_jerk_ratio(made, plan, path, setup)
+    assert told["jerk_ratio"] <= max(1.15, 1.2 * least)
+    assert told["peak_speed_ratio"] <= 1.0
+    assert told["duration_ratio"] <= max(1.2, 1.25 * least_duration_ratio(plan, path))
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.settings.turn_rad_s + 1e-9
+
+
+def least_jerk_ratio(made: Task, plan: AdaptationPlan, path: HandPath, setup: Setup) -> float:
+    """Return the jerk of the way of least jerk between the same stretches, kept clear."""
+    smooth = replace(plan.settings, even_m=np.inf)
+    # A demonstration without any unevenness: each way is its own least-jerk curve.
+    shown = bare(plan.ways.path, plan.ways.held)
+    here = replace(plan, ways=prepare(shown, plan.ways.held, smooth))
+    there = adapted_path(here, frames_in(plan, SCENE, setup), path.path[0])
+    step_s = float(np.median(plan.steps_s))
+    assert made.learned is not None
+    assert made.learned.jerk_m_s3 is not None
+    return rms_jerk(there[:, :3], step_s) / made.learned.jerk_m_s3
+
+
+def bare(path: Array, held: tuple[tuple[int, int], ...]) -> Array:
+    out = path.copy()
+    for (_, first), (last, _) in itertools.pairwise(held):
+        about = [np.clip(np.array([k - 1, k, k + 1]), 0, len(path) - 1) for k in (first, last)]
+        ends = [
+            row
+            for a, b, c in (path[some, :3] for some in about)
+            for row in (b, (c - a) / 2.0, a - 2.0 * b + c)
+        ]
+        share = np.arange(1, last - first) / (last - first)
+        out[first + 1 : last, :3] = quintic(share, last - first) @ np.array(ends)
+    return out
+
+
+def least_duration_ratio(plan: AdaptationPlan, path: HandPath) -> float:
+    """Return the duration if each way took its own time, or that at the greatest speed."""
+    lasts = 0.0
+    for first, last in plan.ways.held:
+        lasts += float(np.sum(plan.steps_s[first:last]))
+    for (_, first), (last, _) in itertools.pairwise(plan.ways.held):
+        steps = np.linalg.norm(np.diff(path.path[first : last + 1, :3], axis=0), axis=1)
+        own = float(np.sum(plan.steps_s[first:last]))
+        lasts += max(own, float(np.sum(steps)) / plan.peak_m_s)
+    return lasts / float(np.sum(plan.steps_s))
+
+
+@given(seed=st.integers(0, 10_000))
+@settings(max_examples=10, deadline=None)
+def test_shape_is_kept_over_the_last_ten_centimetres(seed: int) -> None:
+    plan, setup = plan_adaptation(learned()), moved(np.random.default_rng(seed))
+    path = adapt(plan, SCENE, setup).path
+    frames = frames_in(plan, SCENE, setup)
+    shown = plan.ways.path
+    steps = np.linalg.norm(np.diff(shown[:, :3], axis=0), axis=1)
+    travel = np.concatenate([[0.0], np.cumsum(steps)])
+    for frame, one in zip(frames, plan.stations, strict=True):
+        last = (travel <= travel[one.at]) & (travel >= travel[one.at] - 0.10)
+        here = relative(frame, path[last])
+        there = relative(one.frame_to_world, shown[last])
+        assert np.max(distance_between(here, there)) < 5e-4
+        assert np.max(angle_between(here, there)) < 1e-6
+
+
+@given(seed=st.integers(0, 10_000))
+@settings(max_examples=15, deadline=None)
+def test_noise_of_told_places_is_not_amplified(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    plan, setup = plan_adaptation(learned()), moved(rng)
+    frames, start = frames_in(plan, SCENE, setup), setup.robot_start.pose
+    noisy = frames.copy()
+    noisy[:, :3] += rng.normal(0.0, 0.0005, (len(frames), 3))
+    away = np.max(np.linalg.norm(noisy[:, :3] - frames[:, :3], axis=1))
+    here, there = (adapted_path(plan, some, start) for some in (frames, noisy))
+    # Between two stations their noise is averaged; nowhere is it more than where it was told.
+    assert np.max(distance_between(here, there)) <= away * (1.0 + 1e-6) + 1e-9
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_noise_of_told_poses_spreads_no_wider_on_the_way(seed: int) -> None:
+    """With noise in place and turn, the ways stray at most a quarter more than the stretches.
+
+    A stretch that is turned sends the hand off in another direction, which costs some way.
+    """
+    rng = np.random.default_rng(seed)
+    plan, setup = plan_adaptation(learned()), moved(rng)
+    frames, start = frames_in(plan, SCENE, setup), setup.robot_start.pose
+    plain = adapted_path(plan, frames, start)
+    strays = []
+    for _ in range(200):
+        noise = np.array([rng.normal(0.0, (1.0, 1.0, 1.0, 0.3, 0.3, 0.3)) for _ in frames])
+        moves = [pose_from_mm_deg(one[:3], one[3:]) for one in noise]
+        strays.append(distance_between(adapted_path(plan, compose(frames, moves), start), plain))
+    spread = np.sqrt(np.mean(np.square(strays), axis=0))
+    held = np.concatenate([spread[a : b + 1] for a, b in plan.ways.held])
+    assert np.max(spread) <= 1.25 * np.max(held)
