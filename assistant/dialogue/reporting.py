@@ -210,7 +210,9 @@ def _unmet(dialogue: Dialogue, report: ArmReport) -> Turn:
     leaf = leaf_at(dialogue, report.primitive_at)
     name = leaf.name if leaf else dialogue.known.name
     told = unmet_line(report, name, index_of(dialogue.known, name))
-    return say(replace(dialogue, arm="stopped", clean=()), told)
+    # What goes on after a condition had to be put right was not done by the robot alone.
+    run = dialogue.run and replace(dialogue.run, interrupted=True)
+    return say(replace(dialogue, arm="stopped", clean=(), run=run), told)
 
 
 def unmet_line(report: ArmReport, name: str, index: Index = ()) -> RobotAct:

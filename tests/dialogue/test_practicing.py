@@ -9,6 +9,7 @@ import pytest
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
+from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.motion import Refusal
 from assistant.model.scene import Obstacle
@@ -69,6 +70,24 @@ def test_an_unmet_condition_ends_the_run_and_is_told() -> None:
     teacher.report("unmet", 1, text="held", object="block")
     assert teacher.topics == ["stopped.unmet.held"]
     assert public_view(teacher.dialogue)["motion"] == "stopped"
+
+
+def test_a_condition_of_a_step_is_told_with_what_was_wanted_and_what_is() -> None:
+    teacher = Lessons().ready().moving().report("primitive", 1)
+    told = {"text": "hand", "object": "closed", "when": "before", "found": "open"}
+    teacher.report("unmet", 1, **told)
+    assert teacher.topics == ["stopped.unmet_before.hand"]
+    assert phrase(teacher.lines[0]).startswith(
+        'I stopped: "grasp object" was to start when the hand is closed, but the hand is open.'
+    )
+
+
+def test_a_run_that_was_helped_over_a_condition_does_not_count() -> None:
+    teacher = Lessons().ready().moving().report("primitive", 1)
+    teacher.report("unmet", 1, text="hand", object="closed", when="before", found="open")
+    teacher.hear(acts.Start()).finish()
+    assert teacher.dialogue.runs[-1].complete
+    assert teacher.dialogue.clean == ()
 
 
 def test_the_robot_does_not_agree_after_one_setup() -> None:
