@@ -7,149 +7,23 @@ rest; `adapted_path` is its core on arrays alone.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.errors import BadInput, Problem, WorkFailed
-from assistant.geometry import (
-    Array,
-    compose,
-    inverse,
-    quat_continuous,
-    quat_from_rotvec,
-    quat_multiply,
-    rotate_vector,
-)
-from assistant.learning.amendments import Bend, bends, commanded, speed_factors, station_moves
+from assistant.errors import BadInput, Problem
+from assistant.geometry import Array, compose, quat_from_rotvec, quat_multiply, rotate_vector
+from assistant.learning.amendments import Bend
 from assistant.learning.blending import azimuth_turned, eq6_way, two_frame_way
-from assistant.learning.holding import held_stretches
+from assistant.learning.preparing import AdaptationPlan, plan_adaptation
 from assistant.learning.rigid import Floats, Rows, composed, inverted, placed
-from assistant.learning.timing import bounded_times, hand_speeds, resting_steps, rms_jerk
-from assistant.learning.ways import Ways, prepare, smooth_way
-from assistant.learning.weights import FrameWeights, frame_weights
+from assistant.learning.timing import bounded_times
+from assistant.learning.ways import smooth_way
 from assistant.model.lesson import Station
-from assistant.model.motion import HandPath, HandStop, Indices
+from assistant.model.motion import HandPath
 from assistant.model.scene import Scene
-from assistant.model.settings import BlendingSettings, GeneralizationSettings
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Task
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class AdaptationPlan:
-    """A lesson prepared for adaptation.
-
-    Parameters
-    ----------
-    task : str
-    settings : BlendingSettings
-    steps_s : array, shape (n - 1,)
-        Times between samples at the lesson's own speed.
-    resting : array of bool, shape (n - 1,)
-        Steps within which the gripper acts: they are never hurried.
-    gripper_m : array, shape (n,)
-    primitive_at : array of int, shape (n,)
-    stations : tuple of Station
-    station_moves : array, shape (stations, 7)
-        Corrections, within each station's frame.
-    back : seven floats a station
-        From the world of the demonstration into each corrected frame.
-    start_back : seven floats
-        The inverse of the learned path's first pose.
-    hands : seven floats a station
-        The hand at each, in its frame, with corrections.
-    ways : Ways
-    weights : FrameWeights
-        For eq. (6).
-    bends : tuple of Bend
-    ends_with_start : bool
-        Whether the hand came back to where it started.
-    peak_m_s : float
-        Greatest speed of the demonstration, with the corrections of speed.
-    brake : int
-        Number of samples over which slowing down is spread.
-    stops : tuple of HandStop
-        The stations as samples of the path.
-    """
-
-    task: str
-    settings: BlendingSettings
-    steps_s: Array
-    resting: Array
-    gripper_m: Array
-    primitive_at: Indices
-    stations: tuple[Station, ...]
-    station_moves: Array
-    back: Rows
-    start_back: list[float]
-    hands: Rows
-    ways: Ways
-    weights: FrameWeights
-    bends: tuple[Bend, ...]
-    ends_with_start: bool
-    peak_m_s: float
-    brake: int
-    stops: tuple[HandStop, ...]
-
-
-def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> AdaptationPlan:
-    """Return what is prepared once for a lesson.
-
-    Raises
-    ------
-    WorkFailed
-        If the task has not been learned, or its demonstration did not record the hand.
-    """
-    lesson = task.learned
-    settings = settings or BlendingSettings()
-    if lesson is None:
-        raise WorkFailed(f"{task.name!r} has not been learned yet; demonstrate it first")
-    if lesson.path is None:
-        raise WorkFailed(
-            f"{task.name!r} was shown without the gripper's opening, so where to grasp is not "
-            "known; demonstrate it with the column gripper_m"
-        )
-    learned, stations = lesson.path, lesson.stations
-    path = np.hstack([learned.path[:, :3], quat_continuous(learned.path[:, 3:])])
-    held, ends_with_start = held_stretches(path[:, :3], stations, settings)
-    shifts = station_moves(task, lesson, settings.tool_m)
-    frames = np.array([one.frame_to_world for one in stations]).reshape(-1, 7)
-    factors = _between(speed_factors(task, lesson, learned))
-    dwell_s = GeneralizationSettings().dwell_s
-    steps_s = np.diff(learned.t_s) / factors
-    step_s = float(learned.t_s[1] - learned.t_s[0])
-    jerk = step_s**3 * (lesson.jerk_m_s3 or rms_jerk(path[:, :3], step_s))
-    return AdaptationPlan(
-        task=task.name,
-        settings=settings,
-        steps_s=steps_s,
-        resting=resting_steps(learned.t_s, [one.at for one in stations], dwell_s),
-        gripper_m=commanded(task, lesson, learned),
-        primitive_at=learned.primitive_at,
-        stations=stations,
-        station_moves=shifts,
-        back=compose(shifts, inverse(frames)).tolist(),
-        start_back=inverse(path[0]).tolist(),
-        hands=[
-            compose(shift, one.hand_in_frame).tolist()
-            for shift, one in zip(shifts, stations, strict=True)
-        ],
-        ways=prepare(path, held, settings, jerk),
-        weights=frame_weights(
-            path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
-        ),
-        bends=bends(task, lesson, learned, held),
-        ends_with_start=ends_with_start,
-        peak_m_s=float(np.max(hand_speeds(learned.t_s, path) * factors)),
-        brake=round(settings.brake_s / float(np.median(steps_s))),
-        stops=tuple(
-            HandStop(
-                one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at, tuple(shift)
-            )
-            for one, shift in zip(stations, shifts.tolist(), strict=True)
-        ),
-    )
+__all__ = ["AdaptationPlan", "adapt", "adapted_path", "frames_in", "plan_adaptation"]
 
 
 def adapt(
@@ -189,13 +63,9 @@ def adapt(
         path,
         min(scene.hand_speed_m_s, plan.settings.speed_share * plan.peak_m_s * speed),
         plan.settings.turn_rad_s,
-        round(plan.settings.brake_s / float(np.median(plan.steps_s))),
+        plan.brake,
     )
-    stops = tuple(
-        HandStop(one.at, one.kind, one.object, one.frame, one.docking_at, one.left_at, tuple(shift))
-        for one, shift in zip(plan.stations, plan.station_moves.tolist(), strict=True)
-    )
-    return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, stops)
+    return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, plan.stops)
 
 
 def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:
@@ -292,7 +162,3 @@ def _check_places(stations: Sequence[Station], setup: Setup) -> None:
         raise BadInput(
             [Problem(setup.name, f"no place for {name!r}", "add it to places") for name in missing]
         )
-
-
-def _between(values: Array) -> Array:
-    return np.asarray((values[1:] + values[:-1]) / 2.0)

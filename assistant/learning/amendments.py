@@ -1,8 +1,9 @@
 """Spoken corrections applied to a learned path (paper III-D b; design, "Feedback").
 
 A correction at a grasp or release moves that whole station in its own frame, so that the
-shape around it is kept. One elsewhere bends the free way, ramped over all of it. Exactness at
-the other stations is not touched.
+shape around it is kept; one at a grasp changes how the object is held, not where it is put. One
+elsewhere bends the free way, ramped over all of it. Exactness at the other stations is not
+touched.
 """
 
 from __future__ import annotations
@@ -13,7 +14,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import IDENTITY, Array, compose, quat_from_rotvec, rotate_vector
+from assistant.geometry import (
+    IDENTITY,
+    Array,
+    compose,
+    inverse,
+    quat_from_rotvec,
+    rotate_vector,
+)
 from assistant.learning.docking import axis_vector
 from assistant.learning.weights import least_jerk
 from assistant.model.feedback import Feedback
@@ -69,7 +77,7 @@ def station_of(feedback: Feedback, task: Task, lesson: Lesson) -> int | None:
 
 
 def station_moves(task: Task, lesson: Lesson, tool_m: float) -> Array:
-    """Return how each station is moved within its own frame, shape (stations, 7).
+    """Return how the teacher moved each station within its own frame, shape (stations, 7).
 
     Parameters
     ----------
@@ -89,6 +97,34 @@ def station_moves(task: Task, lesson: Lesson, tool_m: float) -> Array:
         turn = quat_from_rotvec(np.array(feedback.turn_rad))
         shift = pivot - rotate_vector(turn, pivot) + np.array(feedback.offset_m)
         moves[at] = compose(np.concatenate([shift, turn]), moves[at])
+    return moves
+
+
+def hand_moves(stations: Sequence[Station], told: Array) -> Array:
+    """Return how the hand is moved at each station, within its frame, shape (stations, 7).
+
+    A hand that grasps elsewhere on an object holds it elsewhere, and lets go of it as much
+    elsewhere: the object comes to lie where it was shown, or where a correction told there
+    wants it. The same holds wherever the object is led to while it is held.
+
+    Parameters
+    ----------
+    stations : sequence of Station
+    told : array, shape (stations, 7)
+        As `station_moves` gives them.
+    """
+    moves = np.array(told)
+    grasps: dict[str, int] = {}
+    for k, station in enumerate(stations):
+        if station.kind == "grasp":
+            grasps[station.object] = k
+        elif station.object in grasps:
+            grasp = grasps[station.object]
+            # The object as it is held, seen from where the hand should be with it.
+            across = compose(station.hand_in_frame, inverse(stations[grasp].hand_in_frame))
+            moves[k] = compose(told[k], compose(across, compose(told[grasp], inverse(across))))
+        if station.kind == "release":
+            grasps.pop(station.object, None)
     return moves
 
 
