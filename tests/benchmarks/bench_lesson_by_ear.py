@@ -38,9 +38,10 @@ from assistant.model.transcript import (
 from assistant.session.acting import demonstrate, wait
 from assistant.session.opening import Opening, chosen, open_session
 from assistant.shells.beside import Words
+from assistant.shells.voice.deciding import Heard
 from assistant.shells.voice.ears import Ears
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, frames_in, silero
-from assistant.shells.voice.hearing import Heard, Hearing
+from assistant.shells.voice.hearing import Hearing
 from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import RATE_HZ, Samples, Sound
 from tests.benchmarks.voices import REPORTED, Noise, Speaker, noise, noisy, spoken

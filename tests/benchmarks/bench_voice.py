@@ -24,8 +24,8 @@ from pathlib import Path
 from assistant.model.listening import Understanding
 from assistant.model.teacher_acts import act_to_json
 from assistant.shells.voice.clips import ClipReader
+from assistant.shells.voice.deciding import SURE, is_unknown
 from assistant.shells.voice.endpointing import EndpointSettings
-from assistant.shells.voice.hearing import SURE, is_unknown
 from assistant.shells.voice.recognizers import Recognizer, installed
 from assistant.shells.voice.sound import Sound
 from tests.benchmarks import voice_clips

@@ -19,7 +19,7 @@ import numpy as np
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import act_to_json
-from assistant.shells.voice.hearing import SURE, is_unknown
+from assistant.shells.voice.deciding import SURE, is_unknown
 from assistant.shells.voice.phonemes import is_word
 from assistant.shells.voice.sound import Samples, read_sound
 from tests.benchmarks.bench_language import rows, same

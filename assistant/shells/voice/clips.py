@@ -12,8 +12,9 @@ import numpy as np
 
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Stop, Unknown
+from assistant.shells.voice.deciding import SURE, is_unknown
 from assistant.shells.voice.endpointing import frames_in, silero, utterances_in, utterances_of
-from assistant.shells.voice.hearing import SURE, Hearing, is_unknown
+from assistant.shells.voice.hearing import Hearing
 from assistant.shells.voice.phonemes import distance, phonemes
 from assistant.shells.voice.recognizers import Recognizer, installed
 from assistant.shells.voice.sound import (

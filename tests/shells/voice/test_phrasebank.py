@@ -7,7 +7,7 @@ import pytest
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
-from assistant.shells.voice.hearing import is_unknown
+from assistant.shells.voice.deciding import is_unknown
 from assistant.shells.voice.phrasebank import MOST_WORDS, near
 
 pytestmark = pytest.mark.voice

@@ -16,9 +16,9 @@ from assistant.model.transcript import Transcript
 from assistant.session.opening import Opening, open_session
 from assistant.shells.plain import PlainShell
 from assistant.shells.voice import talking
+from assistant.shells.voice.deciding import Heard
 from assistant.shells.voice.ears import Ears
 from assistant.shells.voice.endpointing import Endpointer
-from assistant.shells.voice.hearing import Heard
 from assistant.shells.voice.sound import RATE_HZ, Samples, Sound, write_sound
 from assistant.shells.voice.talking import Talking, TalkSettings
 
@@ -59,16 +59,16 @@ def hold(folder: Path, beside: Talking, told: list[str], *lines: str) -> None:
 
 
 def test_a_sound_file_is_heard_to_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    says = Says("pick and place", "the block rests on the target")
+    says = Says("pick and place", "yes", "the block rests on the target")
 
     def ears(self: Talking, session: object, take: object) -> Ears:
         return Ears(session, take, Endpointer(loudness), says)  # type: ignore[arg-type]
 
     monkeypatch.setattr(talking.Talking, "_ears", ears)
     told: list[str] = []
-    settings = TalkSettings(bursts(tmp_path / "said.wav", 2), mute=True, real_time=False)
+    settings = TalkSettings(bursts(tmp_path / "said.wav", 3), mute=True, real_time=False)
     hold(tmp_path, Talking(settings, told.append), told)
-    assert "you: pick and place" in told
+    assert "right?" in told[told.index("you: pick and place") + 1]
     assert "you: the block rests on the target" in told
     assert "Which things" in told[told.index("you: the block rests on the target") + 1]
 

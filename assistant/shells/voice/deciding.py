@@ -1,0 +1,193 @@
+"""What several readings of an utterance come to: surely, to be asked about, or nothing.
+
+Each reading stands for what it means here, so that a likely reading which means nothing counts
+against a command. Unrelated speech must never act, and a wrong act is worse than a question:
+where readings disagree, the confidence falls below what the dialogue acts on, and it asks.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+from assistant.language.answers import OPEN
+from assistant.model import teacher_acts as acts
+from assistant.model.listening import Listening, Understanding
+from assistant.model.teacher_acts import TeacherAct, Unknown
+from assistant.shells.voice.weighing import Candidate
+
+SURE = 0.85
+ALONE_WORDS = 3
+"""A reading of so many words that parses is believed without a second opinion."""
+SHORT_WORDS = 3
+SHORT_SURE = 0.92
+"""Few words that only resemble a command are chat: "removed" is not "remove it"."""
+LIKELY_WORDS = 2.0
+"""How much more a reading weighs that is among the phrases expected now."""
+CLEARLY = 1.3
+"""How many times the votes of any other command the one acted on must have."""
+UNKNOWN = 0.5
+"""What readings that mean nothing weigh: the teacher talks to the robot, mostly."""
+FAINT = 0.35
+"""Readings no likelier than this are asked about."""
+DOUBT = 0.6
+ASKABLE = 0.75
+"""Less sure than this it is chat, and the robot does not ask what was meant."""
+LIKELIEST = 12
+"""So many candidates are understood."""
+SURE_SHARE = 0.7
+ASK_SHARE = 0.35
+WORST = 4.0
+WORST_WORD = 1.5
+"""Less likely than this, and less by each word, it is asked about at most."""
+HOPELESS = 5.0
+"""Less likely still by so much, nobody said it."""
+
+_PLAIN = (
+    acts.AdjustLast,
+    acts.AdjustSpeed,
+    acts.Again,
+    acts.Affirm,
+    acts.Approve,
+    acts.Cue,
+    acts.Deny,
+    acts.GoBack,
+    acts.Gripper,
+    acts.Help,
+    acts.NewSetup,
+    acts.Pause,
+    acts.Quit,
+    acts.Redo,
+    acts.RepeatLine,
+    acts.Resume,
+    acts.Rotate,
+    acts.Show,
+    acts.Start,
+    acts.Stop,
+    acts.Translate,
+    acts.Undo,
+)
+"""Acts without free words in them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Heard:
+    """What an utterance came to.
+
+    Parameters
+    ----------
+    text : str
+        The words as recognized; where matched by sound, those they were matched with.
+    understanding : Understanding
+        Its confidence counts how surely the words were recognized.
+    recognizer : str
+        Whose words they are.
+    by_sound : bool
+        Whether they were matched by sound rather than as written.
+    """
+
+    text: str
+    understanding: Understanding
+    recognizer: str = ""
+    by_sound: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """Words that may have been said, what they weigh, and what they mean here."""
+
+    text: str
+    weight: float
+    meant: Understanding
+    recognizer: str
+
+    @property
+    def acts(self) -> tuple[TeacherAct, ...]:
+        """What it means."""
+        return self.meant.acts
+
+    @property
+    def kind(self) -> tuple[object, ...]:
+        """What readings with the same meaning share; free words are one meaning."""
+        return ("answers",) if self._answers else self.acts
+
+    @property
+    def commands(self) -> bool:
+        """Whether it surely means something."""
+        short = len(self.text.split()) <= SHORT_WORDS
+        least = SHORT_SURE if short and not self._answers else SURE
+        return self.meant.confidence >= least and not is_unknown(self.meant)
+
+    @property
+    def _answers(self) -> bool:
+        return all(isinstance(act, acts.Inform) for act in self.acts)
+
+
+def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding]) -> Heard:
+    """Return what weighed candidates come to: surely, to be asked about, or nothing.
+
+    Candidates that mean the same vote together. Free words are one meaning however they are
+    spelled: the likeliest spelling is taken.
+    """
+    read = [Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
+    votes: dict[tuple[object, ...], float] = {}
+    for one in read:
+        if not is_unknown(one.meant) and one.meant.confidence >= ASKABLE:
+            votes[one.kind] = votes.get(one.kind, 0.0) + one.weight
+    acted = max(votes, key=lambda one: votes[one], default=None)
+    if acted is None or votes[acted] < ASK_SHARE:
+        return nothing_heard(read[0].text)
+    chosen = next(one for one in read if one.kind == acted)
+    likelihood = next(one.likelihood for one in found if one.text == chosen.text)
+    worst = -(WORST + WORST_WORD * len(chosen.text.split()))
+    if likelihood < worst - HOPELESS:
+        return nothing_heard(chosen.text)
+    well = likelihood >= worst and votes[acted] >= SURE_SHARE
+    sure = well and (chosen.commands or chosen.meant.confidence < SURE)
+    return as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def nothing_heard(text: str) -> Heard:
+    """Return words that mean nothing."""
+    return Heard(text, Understanding((Unknown(),), SURE, text))
+
+
+def is_unknown(meant: Understanding) -> bool:
+    """Whether nothing was understood."""
+    return any(isinstance(act, Unknown) for act in meant.acts)
+
+
+def trusted(reading: Reading, listening: Listening) -> bool:
+    """Whether a quick reading needs no second opinion."""
+    enough = len(reading.text.split()) >= ALONE_WORDS
+    free = any(not isinstance(act, _PLAIN) or getattr(act, "where", None) for act in reading.acts)
+    return reading.commands and enough and not free and listening.asked not in OPEN
+
+
+def voted(readings: Sequence[Reading], phrases: Sequence[str]) -> Heard | None:
+    """Return the meaning with most votes if it has enough of them."""
+    votes: dict[tuple[TeacherAct, ...], float] = {}
+    nothing = 0.0
+    for reading in readings:
+        if not reading.commands:
+            nothing += UNKNOWN * reading.weight
+            continue
+        weight = reading.weight * (LIKELY_WORDS if reading.text in phrases else 1.0)
+        votes[reading.acts] = votes.get(reading.acts, 0.0) + weight
+    ranked = sorted(votes, key=lambda one: -votes[one])
+    if not ranked or votes[ranked[0]] < nothing / 2:
+        return None
+    backers = [one for one in readings if one.commands and one.acts == ranked[0]]
+    chosen = max(backers, key=lambda one: one.weight)
+    rival = votes[ranked[1]] if len(ranked) > 1 else 0.0
+    clear = votes[ranked[0]] >= max(nothing, CLEARLY * rival)
+    agreed = len({one.recognizer for one in backers}) > 1
+    heard_well = chosen.recognizer == readings[-1].recognizer and chosen.weight >= FAINT
+    sure = clear and (agreed or heard_well)
+    return as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def as_heard(reading: Reading, most: float) -> Heard:
+    """Return a reading as heard, no surer than `most`."""
+    sure = min(reading.meant.confidence, most)
+    return Heard(reading.text, replace(reading.meant, confidence=sure), reading.recognizer)

@@ -1,0 +1,45 @@
+"""Recognized words in one form, whatever recognizer wrote them; what is spelled is a word."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assistant.shells.voice.mouth import Mouth, Voice
+from assistant.shells.voice.recognizers import Whisper, packaged_whisper, plain_words
+from assistant.shells.voice.sound import read_sound
+
+
+@pytest.mark.parametrize(
+    ("written", "words"),
+    [
+        ("Move a bit, to the LEFT!", "move a bit to the left"),
+        ("It's called pick-and-place.", "it's called pick and place"),
+        ("B-L-O-C-K.", "block"),
+        ("R. E. D. block", "red block"),
+        ("call it b l u e", "call it blue"),
+        ("a b", "a b"),
+        ("1.5 mm", "1.5 mm"),
+        ("", ""),
+    ],
+)
+def test_words_are_plain(written: str, words: str) -> None:
+    assert plain_words(written) == words
+
+
+@pytest.mark.voice
+def test_what_was_said_explains_the_sound_best(tmp_path: Path) -> None:
+    folder = packaged_whisper()
+    assert folder is not None
+    path = tmp_path / "said.wav"
+    Mouth(Voice("flite", "slt")).write("open the hand", path)
+    quiet = np.zeros(4000, np.float32)
+    sound = np.concatenate([quiet, read_sound(path).samples, quiet])
+    whisper = Whisper(folder, threads=1)
+    phrases = ("open the hand", "close the hand", "open", "stop")
+    told = whisper.likelihoods(sound, phrases)
+    assert max(zip(told, phrases, strict=True))[1] == "open the hand"
+    assert all(one <= 0.0 for one in told)
+    assert whisper.recognize(sound)[0].text == "open the hand"
