@@ -13,10 +13,17 @@ from typing import Literal, assert_never
 import numpy as np
 
 from assistant.dialogue.conditions import Conditions, conditions_of
-from assistant.geometry import Array, angle_between, compose, distance_between, relative
+from assistant.geometry import (
+    Array,
+    angle_between,
+    compose,
+    distance_between,
+    inverse,
+    relative,
+)
 from assistant.model.motion import HandPath, HandStop
-from assistant.model.placing import in_line, place_of, place_on, rests_on
-from assistant.model.scene import Scene
+from assistant.model.placing import alignment, in_line, place_of, place_on, rests_on
+from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Condition, Task, primitives
 from assistant.ports import ArmLook
@@ -32,6 +39,9 @@ TRAVEL_M = 0.005
 ABOVE_M, BESIDE_M = 0.005, 0.060
 """Above begins that high over a place, and ends that far beside it. Twice what a demonstration
 must show: a moved setup bends the free way between two places."""
+SHOWN_MM, SHOWN_DEG = 15.0, 4.0
+"""A teacher at the keys lets a body go some millimetres beside its place. What learning took for
+in line is so again if it lies where it was shown, and that is this close to the place itself."""
 AWAY_M = 0.03
 """A hand this far from where it would grasp a body is clear of it."""
 
@@ -186,7 +196,28 @@ def _rests(
         return False
     if not rests_on(around.scene, name, target, pose, place):
         return False
-    return not in_line_too or in_line(body, pose, place, target)
+    if not in_line_too or in_line(body, pose, place, target):
+        return True
+    shown = _shown(body, target, around)
+    if shown is None:
+        return False
+    meant = alignment(body, shown, place, target)
+    near = meant.distance_mm <= SHOWN_MM and meant.angle_deg <= SHOWN_DEG
+    return near and in_line(body, pose, shown, target)
+
+
+def _shown(body: Body, target: str, around: Surroundings) -> Array | None:
+    """Return where the path lets a body go if all is as told; None where it does not."""
+    stops = around.path.stops
+    last = next((s for s in reversed(stops) if (s.object, s.frame) == (body.name, target)), None)
+    if last is None or last.kind != "release":
+        return None
+    in_hand = inverse(body.hand_in_body)
+    grasps = [s for s in stops if (s.kind, s.object) == ("grasp", body.name) and s.at < last.at]
+    if len(grasps) == 1 and body.name in around.setup.places:
+        told = around.scene.body_pose(body.name, around.setup.places[body.name])
+        in_hand = compose(inverse(around.path.path[grasps[0].at]), told)
+    return compose(around.path.path[last.at], in_hand)
 
 
 def _place(name: str, target: str, around: Surroundings, look: ArmLook) -> Array | None:

@@ -143,6 +143,20 @@ def test_a_corrected_place_is_where_things_belong(x_m: float, y_m: float) -> Non
     assert holds(Condition("aligned", "block", "target"), around, look(moved, block=moved))
 
 
+@pytest.mark.parametrize(("shown_mm", "held"), [(4.0, True), (40.0, False)])
+def test_in_line_is_as_shown_if_that_was_near(shown_mm: float, held: bool) -> None:
+    """A demonstration by keys ends some millimetres beside; its repetition is no fault."""
+    beside = compose(RELEASE, pose_from_mm_deg((0.0, shown_mm, 0.0), (0.0, 0.0, 0.0)))
+    path = np.array(AROUND.path.path)
+    path[6] = beside
+    around = replace(AROUND, path=replace(AROUND.path, path=path))
+    aligned = Condition("aligned", "block", "target")
+    assert holds(aligned, around, look(beside, block=beside)) == held
+    slipped = compose(beside, pose_from_mm_deg((0.0, 2.0, 0.0), (0.0, 0.0, 0.0)))
+    assert not holds(aligned, around, look(beside, block=slipped))
+    assert holds(aligned, around, look(beside, block=RELEASE))
+
+
 def test_the_opening_of_a_path_that_never_closes_is_judged_by_the_hand() -> None:
     never = replace(AROUND.path, gripper_m=np.full(8, 0.08))
     around = replace(AROUND, path=never)
