@@ -23,32 +23,29 @@ FEATURES = (
     "heard",
     "alone",
     "near",
-    "usual",
-    "no cues",
 )
 """What a cut's confidence is made of.
 
 ``right``: log odds that the same primitive ends here, to half a second; ``timely``: of the
 half second alone; ``gripper``: it acted here; ``heard``: proposed by a cue only; ``alone``: the
-motion without cues is cut here too; ``near``: log odds that anything is cut near; ``usual``:
-mean log odds of all the lesson's cuts; ``no cues``: the teacher said nothing.
+motion without cues is cut here too; ``near``: log odds that anything is cut near.
 """
 
-WEIGHTS = np.array([0.17, 0.20, 1.05, 0.59, 0.17, 0.29, -0.02, -0.09])
-BIAS = -0.64
+WEIGHTS = np.array([0.20, 0.23, 1.07, 0.66, 0.21, 0.25])
+BIAS = -0.79
 """Source: `python -m tests.benchmarks.bench_confidence --fit`."""
 
-WHOLE_FEATURES = ("product", "whole", "timely", "silent", "unlike", "fit")
+WHOLE_FEATURES = ("product", "whole", "timely", "silent", "unlike")
 """What the confidence in all cuts together is made of.
 
 ``product``: log odds that all are right if they were independent; ``whole``: of the decoder's
 share of readings with just these cuts and primitives; ``timely``: that all are within half a
 second; ``silent``: cuts that no cue tells; ``unlike``: primitives left empty and steps nobody
-introduced; ``fit``: log odds of the primitive its stretch fits worst, where below even.
+introduced.
 """
 
-WHOLE_WEIGHTS = np.array([0.63, 0.21, 0.13, -0.14, -2.72, 0.3])
-WHOLE_BIAS = -0.21
+WHOLE_WEIGHTS = np.array([0.64, 0.19, 0.12, -0.07, -2.77])
+WHOLE_BIAS = -0.24
 """Source: as above."""
 
 _NEAR_S = 0.25
@@ -56,7 +53,6 @@ _SAME_S = 0.4
 _OFF_S = 0.5
 _HEARD_S = 0.3
 _LEAST = 1e-3
-_LEAST_FIT = -10.0
 _UNKNOWN_LAG = Lag(np.zeros(1), np.ones(1), 0.3)
 
 
@@ -75,11 +71,10 @@ def cut_confidence(understood: Understood, node: int, cues_s: Array) -> float:
 
 
 def features(understood: Understood, node: int, cues_s: Array) -> Array:
-    """Return the values of `FEATURES` for a node, shape (8,)."""
+    """Return the values of `FEATURES` for a node, shape (6,)."""
     spot = understood.candidates[node - 1]
     at_s = float(understood.at_s[node])
     same, timely = _same_chance(understood, node), _timely(understood, node, cues_s)
-    nodes = understood.reading.nodes[1:-1]
     return np.array(
         [
             _log_odds(same * timely),
@@ -88,8 +83,6 @@ def features(understood: Understood, node: int, cues_s: Array) -> Array:
             float(spot.heard),
             float(_agrees(understood, at_s)),
             _log_odds(chance_near(understood, at_s, _OFF_S)),
-            np.mean([_log_odds(_same_chance(understood, each)) for each in nodes]),
-            float(len(cues_s) == 0),
         ]
     )
 
@@ -110,7 +103,7 @@ def all_right(understood: Understood, confidences: Array, cues_s: Array) -> floa
 
 
 def whole_features(understood: Understood, confidences: Array, cues_s: Array) -> Array:
-    """Return the values of `WHOLE_FEATURES`, shape (6,)."""
+    """Return the values of `WHOLE_FEATURES`, shape (5,)."""
     taken, nodes = understood.reading.taken, understood.reading.nodes[1:-1]
     silent = [not _spoken(float(understood.at_s[node]), cues_s) for node in nodes]
     unnamed = sum(position is None for position in taken)
@@ -121,19 +114,8 @@ def whole_features(understood: Understood, confidences: Array, cues_s: Array) ->
             _log_odds(math.prod(_timely(understood, node, cues_s) for node in nodes)),
             float(sum(silent)) if len(cues_s) else 0.0,
             float(unnamed + len(understood.order) - (len(taken) - unnamed)),
-            min(_worst_fit(understood), 0.0),
         ]
     )
-
-
-def _worst_fit(understood: Understood) -> float:
-    """Return how well the least fitting stretch fits its primitive, in log odds."""
-    lattice, reading = understood.lattice, understood.reading
-    if lattice is None:
-        return 0.0
-    stretches = zip(reading.nodes[:-1], reading.nodes[1:], reading.taken, strict=True)
-    told = [float(lattice.steps[a, b, at]) for a, b, at in stretches if at is not None]
-    return max(min(told, default=0.0), _LEAST_FIT)
 
 
 def _same_chance(understood: Understood, node: int) -> float:

@@ -16,7 +16,7 @@ from assistant.learning.candidates import Evidence
 from assistant.learning.character import AXES
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import SegmentationSettings
-from assistant.model.task import Primitive, Task, primitives
+from assistant.model.task import Primitive, Task, TaskObject, primitives
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,10 +91,15 @@ def fits(
     usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
+    alike = {
+        known.name: [places[one.name] for one in task.objects if _rival(known, one, places)]
+        for known in task.objects
+    }
     scores = [
         _character(leaf, between, seen, settings)
         + _events(leaf, task, between, seen, told, settings)
         + _objects(leaf, {} if leaf.name in moved else places, between, settings)
+        + _elsewhere(leaf, {} if leaf.name in moved else places, alike, between, settings)
         + _lasting(leaf, between, usual_s, settings)
         for leaf in leaves
     ]
@@ -167,7 +172,9 @@ def _character(
     if leaf.action.verb == "free" or axis is None:
         return np.asarray(still)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
-    return np.asarray(given.direction * along + still)
+    # Hardly anybody says "up" of a motion that goes aside.
+    astray = np.maximum(given.clear_along - along, 0.0)
+    return np.asarray(given.direction * along - given.astray * astray + still)
 
 
 def _turning(way: str, between: Stretches) -> Array:
@@ -240,6 +247,32 @@ def _objects(
     if leaf.action.verb == "hand":
         return np.asarray(0.5 * weight * (close[None, :] + close[:, None]))
     return np.broadcast_to(weight * close[None, :], between.lasting_s.shape).copy()
+
+
+def _rival(known: TaskObject, other: TaskObject, places: dict[str, Array]) -> bool:
+    return other.role == known.role and other.name in places
+
+
+def _elsewhere(
+    leaf: Primitive,
+    places: dict[str, Array],
+    alike: dict[str, list[Array]],
+    between: Stretches,
+    settings: SegmentationSettings,
+) -> Array:
+    """Return whether the hand acts at another thing of the kind, rather than at this one."""
+    name = leaf.action.object or ""
+    if leaf.action.verb != "hand" or name not in places or len(alike[name]) < 2:
+        return np.zeros_like(between.lasting_s)
+    given = settings.decoding
+
+    def off(place: Array) -> Array:
+        gap = np.linalg.norm(between.xyz - place, axis=-1) / given.at_thing_m
+        return np.asarray(np.minimum(gap**2, 1.0))
+
+    nearest = np.min([off(place) for place in alike[name]], axis=0)
+    told = -given.elsewhere * (off(places[name]) - nearest)
+    return np.broadcast_to(told[None, :], between.lasting_s.shape)
 
 
 def _lasting(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import islice, permutations, product
 
 from assistant.model.task import Primitive, Subtask, Task
@@ -21,6 +22,46 @@ def orders(task: Task) -> tuple[tuple[int, ...], ...]:
         counted[leaf.name] = len(counted)
     found = islice(_orders(task.tree), _MOST_ORDERS)
     return tuple(tuple(counted[name] for name in order) for order in found)
+
+
+def other_orders(task: Task) -> tuple[tuple[int, ...], ...]:
+    """Return orders the tree does not allow, but a hand could carry out.
+
+    Parts that take things and let all of them go again begin and end with an empty hand: these
+    can change places, as wholes, where the teacher told them in sequence.
+    """
+    told = set(orders(task))
+    free = orders(replace(task, tree=_freed(task.tree)))
+    counted = {leaf.name: k for k, leaf in enumerate(_leaves(task.tree))}
+    moved = {leaf.name: k for k, leaf in enumerate(_leaves(_freed(task.tree)))}
+    names = {k: name for name, k in moved.items()}
+    found = (tuple(counted[names[k]] for k in order) for order in free)
+    return tuple(order for order in found if order not in told)
+
+
+def _freed(tree: Subtask) -> Subtask:
+    """Return the tree with parts that can change places gathered in a node of any order."""
+    parts = tuple(_freed(part) if isinstance(part, Subtask) else part for part in tree.parts)
+    freed: list[Subtask | Primitive] = []
+    run: list[Subtask | Primitive] = []
+    for part in (*parts, None):
+        if part is not None and _whole(part):
+            run.append(part)
+            continue
+        if len(run) > 1:
+            freed.append(Subtask(f"{tree.name}, freed {len(freed)}", tuple(run), order="any"))
+        else:
+            freed += run
+        run = []
+        if part is not None:
+            freed.append(part)
+    return replace(tree, parts=tuple(freed))
+
+
+def _whole(part: Subtask | Primitive) -> bool:
+    """Tell whether a part begins and ends with an empty hand and takes something between."""
+    ways = [leaf.action.way for leaf in _leaves(part) if leaf.action.verb == "hand"]
+    return ways.count("close") == ways.count("open") > 0
 
 
 def _leaves(node: Subtask | Primitive) -> Iterator[Primitive]:

@@ -17,7 +17,7 @@ from assistant.learning.segmentation import segment
 from assistant.learning.signals import gripper_events
 from assistant.learning.smoothing import smooth
 from assistant.learning.stations import Visit, frames, told_for_hand, touches, visits
-from assistant.learning.structure import optional_questions
+from assistant.learning.structure import optional_questions, order_questions
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
 from assistant.model.motion import Indices
@@ -69,22 +69,28 @@ def learn(
     if not demonstrations:
         raise BadInput.one("demonstrations", "none given", "at least one is needed")
     last = len(demonstrations) - 1
+    prepared = [told_for_hand(one, scene) for one in demonstrations]
+    given = settings
+    if last:
+        from assistant.learning.together import one_teacher
+
+        given = one_teacher(prepared, task, settings or SegmentationSettings())
     lessons = [
         _learn_one(
             demonstration,
             task,
             scene,
             segment(
-                told_for_hand(demonstration, scene),
+                told,
                 task,
-                settings,
+                given,
                 cuts_s=cuts_s if k == last else None,
                 assigned=assigned if k == last else (),
             ),
         )
-        for k, demonstration in enumerate(demonstrations)
+        for k, (demonstration, told) in enumerate(zip(demonstrations, prepared, strict=True))
     ]
-    lesson = lessons[0]
+    lesson = _in_order(lessons[0], task)
     if last:
         from assistant.learning.together import together
 
@@ -92,6 +98,13 @@ def learn(
     if task.learned is None:
         return lesson
     return replace(lesson, feedback=task.learned.feedback, speed=task.learned.speed)
+
+
+def _in_order(lesson: Lesson, task: Task) -> Lesson:
+    """Return the lesson with the question whether an order that was not told may vary."""
+    found = lesson.segmentation
+    asked = (*found.questions, *order_questions(task, [found]))
+    return replace(lesson, segmentation=replace(found, questions=asked))
 
 
 def load_libraries() -> None:

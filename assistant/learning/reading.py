@@ -12,7 +12,7 @@ from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined, support
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.fit import fits, stretches
-from assistant.learning.introduction import orders
+from assistant.learning.introduction import orders, other_orders
 from assistant.learning.posterior import cut_shares, whole_evidence
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import DecodingSettings, SegmentationSettings
@@ -49,6 +49,8 @@ class Understood:
         the cuts were told.
     whole_chance : float
         How likely it is that all of this is right, as far as the decoder can tell.
+    order_chance : float
+        How likely the parts were shown in this order.
     alone_s : tuple of float
         The cuts as read without the cues.
     """
@@ -61,6 +63,7 @@ class Understood:
     lattice: Lattice | None = None
     cut_chances: tuple[float, ...] = ()
     whole_chance: float = 1.0
+    order_chance: float = 1.0
     alone_s: tuple[float, ...] = ()
 
     def leaf(self, position: int | None) -> int | None:
@@ -93,9 +96,16 @@ def read(
             for way, lag in zip(ways, lags, strict=True)
         ]
         ways = _with_lags(demonstration, task, evidence, settings, cues_s, lags)
-    best = max(ways, key=lambda way: way.reading.evidence)
+    best = max(ways, key=lambda way: way.reading.evidence + _usual(way, settings))
     best = _sure(best, ways, np.array([share for _, share in found]))
     return replace(best, at_s=_refined(best, cues_s), alone_s=alone_s)
+
+
+def _usual(way: Understood, settings: SegmentationSettings) -> float:
+    """Return how usual a teacher's lag is, in log odds."""
+    given = settings.cues
+    lag_s = way.lag.best_s if way.lag is not None else given.usual_lag_s
+    return -0.5 * ((lag_s - given.usual_lag_s) / given.usual_lag_spread_s) ** 2
 
 
 def _with_lags(
@@ -138,7 +148,7 @@ def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Unders
         each += weight * cut_shares(way.reading, way.at_s, cuts_s, taken, _SAME_CUT_S)
         if same and way.lattice is not None:
             told = whole_evidence(way.lattice, way.at_s, cuts_s, taken, _SAME_CUT_S)
-            whole += float(weight * np.exp(told - way.reading.evidence))
+            whole += float(weight * way.order_chance * np.exp(told - way.reading.evidence))
     return replace(best, cut_chances=tuple(each.tolist()), whole_chance=min(whole, 1.0))
 
 
@@ -243,13 +253,18 @@ def _read(
     skips = -rare * np.array(
         [given.skip_optional if leaf.optional else given.skip for leaf in leaves]
     )
-    ways = [
-        Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)])
-        for order in orders(task)
+    told = [(order, 0.0) for order in orders(task)]
+    if not fixed:
+        told += [(order, given.reorder) for order in other_orders(task)]
+    lattices = [
+        Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)]) for order, _ in told
     ]
-    read = [(decode(way), way, order) for way, order in zip(ways, orders(task), strict=True)]
-    reading, lattice, order = max(read, key=lambda way: way[0].evidence)
-    return Understood(at_s, candidates, reading, order, lag, lattice)
+    ways = [decode(each) for each in lattices]
+    odds = np.array([way.evidence - cost for way, (_, cost) in zip(ways, told, strict=True)])
+    best = int(np.argmax(odds))
+    share = float(1.0 / np.sum(np.exp(odds - odds[best])))
+    order = told[best][0]
+    return Understood(at_s, candidates, ways[best], order, lag, lattices[best], order_chance=share)
 
 
 def _heard(

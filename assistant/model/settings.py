@@ -246,6 +246,8 @@ class DecodingSettings:
     turned: float = 1.2
     idle: float = 1.5
     nearing: float = 0.72
+    elsewhere: float = 4.0
+    at_thing_m: float = 0.05
     event: float = 3.4
     lasting: float = 0.7
     soon: float = 0.5

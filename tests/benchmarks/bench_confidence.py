@@ -151,8 +151,10 @@ def _features(told: Understood, cues_s: Array) -> Array:
     return np.array(rows).reshape(len(rows), len(confidence.FEATURES))
 
 
-def fitted(lessons: Sequence[Judged]) -> Weights:
+def fitted(shown: Sequence[Judged]) -> Weights:
     """Return the weights that explain best which cuts, and which lessons, were right."""
+    # Steps that were not shown, or not told, are asked about anyway.
+    lessons = [one for one in shown if one.way not in ("one step off", "another tree")]
     rows = np.concatenate([one.cuts for one in lessons])
     right = np.concatenate([one.right for one in lessons])
     counted = np.concatenate([np.full(len(one.right), one.weight) for one in lessons])

@@ -35,17 +35,17 @@ WORDS = ("then", "next step", "and then", "next", "after that", "now the next st
 
 
 def spoken_cues(
-    cuts_s: list[float], end_s: float, rng: np.random.Generator, *, slow: bool = False
+    cuts_s: list[float], end_s: float, rng: np.random.Generator, lag_s: float | None = None
 ) -> tuple[Spoken, ...]:
     """Return the cues of a teacher with an own lag: jittered, some missing, some false."""
-    lag_s = rng.uniform(0.1, 1.8)
+    drawn_s = rng.uniform(0.1, 1.8)
+    lag_s = drawn_s if lag_s is None else lag_s
     jitter_s = rng.uniform(0.05, 0.25)
     missing = rng.uniform(0.10, 0.15)
     times = [cut + max(lag_s + rng.normal(0.0, jitter_s), 0.0) for cut in cuts_s]
     times = [at for at in times if at < end_s and rng.random() > missing]
     if rng.random() < 0.35:
         times += list(rng.uniform(0.05 * end_s, 0.95 * end_s, size=int(rng.integers(1, 3))))
-    del slow
     times.sort()
     said = ["first step"] + [str(rng.choice(WORDS)) for _ in times]
     return tuple(Spoken(round(at, 3), say) for at, say in zip(times, said, strict=False))
