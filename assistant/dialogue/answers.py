@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from assistant.dialogue.bodies import with_body
 from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
 from assistant.dialogue.naming import (
     Value,
@@ -23,11 +23,7 @@ from assistant.dialogue.turn import line
 from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.bodies import read_body
 from assistant.model.robot_acts import RobotAct
-from assistant.model.scene import Body
 from assistant.model.task import Action, Index
-
-ASSUMED_MM = (60.0, 40.0, 100.0)
-"""Size of a thing whose size the teacher does not know: the shipped block's."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,27 +200,3 @@ def _body(known: Knowledge, thing: str, value: Value) -> Answered:
     if told.size_mm is None:
         return Answered(known, (line("error", "size", thing=thing),))
     return Answered(with_body(known, thing, told.shape or "box", told.size_mm))
-
-
-def with_body(known: Knowledge, thing: str, shape: str, size_mm: tuple[float, ...]) -> Knowledge:
-    """Return what is known after a thing has got a shape and size.
-
-    It is grasped as the shipped block is: at 60 % of its height, 134.1 mm ahead of the flange.
-    """
-    shapes: Mapping[str, Body] = {
-        "box": Body(thing),
-        "cylinder": Body(thing, "cylinder"),
-        "sphere": Body(thing, "sphere"),
-        "cup": Body(thing, "cup"),
-    }
-    x, y, z = (float(length) for length in size_mm)
-    role = next((one.role for one in known.objects or () if one.name == thing), "object")
-    # A place for another body must leave the hand as high as that body is held.
-    height = 60.0 if role == "target" or z == 0 else 0.6 * z
-    body = replace(
-        shapes[shape],
-        size_mm=(x, y, z),
-        mass_kg=0.0 if role == "target" else 0.2,
-        grasp_xyz_mm=(-134.1, 0.0, height),
-    )
-    return replace(known, scene=replace(known.scene, bodies={**known.scene.bodies, thing: body}))

@@ -22,7 +22,11 @@ def fresh(dialogue: Dialogue) -> Turn:
     """Begin another task with the same things on the table; undo brings the old one back."""
     known = dialogue.known
     empty = Knowledge(
-        scene=known.scene, setup=known.setup, facing=known.facing, language=known.language
+        scene=known.scene,
+        setup=known.setup,
+        facing=known.facing,
+        shaped=known.shaped,
+        language=known.language,
     )
     begun = replace(
         changed(dialogue, "fresh", empty),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from assistant.dialogue.bodies import fitted
 from assistant.dialogue.naming import thing_names
 from assistant.dialogue.sketch import Sketch, at, put, walk
 from assistant.dialogue.state import Introducing, Knowledge
@@ -163,12 +164,12 @@ def with_roles(known: Knowledge) -> Knowledge:
     actions = [node.action for _, node in walk(known.root) if node.action is not None]
     grasped = {one.object for one in actions if (one.verb, one.way) == ("hand", "close")}
     goals = {one.object for one in actions if (one.verb, one.way) == ("hand", "open")}
-    fitted: list[TaskObject] = []
+    roles: list[TaskObject] = []
     for thing in known.objects or ():
         if thing.name in grasped:
-            fitted.append(replace(thing, role="object"))
+            roles.append(replace(thing, role="object"))
         elif thing.name in goals:
-            fitted.append(replace(thing, role="target"))
+            roles.append(replace(thing, role="target"))
         else:
-            fitted.append(thing)
-    return known if known.objects is None else replace(known, objects=tuple(fitted))
+            roles.append(thing)
+    return known if known.objects is None else fitted(replace(known, objects=tuple(roles)))

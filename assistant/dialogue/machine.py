@@ -12,7 +12,7 @@ from typing import assert_never
 
 from assistant.dialogue import practicing, reporting, reviewing, showing
 from assistant.dialogue.asking import ask, question, stage
-from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.effects import Arrange, Effect, Say
 from assistant.dialogue.events import (
     ArmReported,
     Arranged,
@@ -50,9 +50,18 @@ def step(dialogue: Dialogue, event: Event) -> tuple[Dialogue, tuple[Effect, ...]
     if isinstance(dialogue.state, Closed):
         return dialogue, ()
     after, effects = _answer(dialogue, event)
-    effects = tuple(_shorter(dialogue, effect) for effect in effects)
+    effects = tuple(
+        _shorter(dialogue, effect) for effect in (*_reshaped(dialogue, after), *effects)
+    )
     lines = tuple(effect.line for effect in effects if isinstance(effect, Say))
     return (replace(after, said=lines) if lines else after), effects
+
+
+def _reshaped(before: Dialogue, after: Dialogue) -> tuple[Effect, ...]:
+    """Return what shows the session the bodies a teacher told of."""
+    known = after.known
+    told = known.shaped and known.scene.bodies != before.known.scene.bodies
+    return (Arrange(known.setup, known.scene),) if told else ()
 
 
 def _shorter(dialogue: Dialogue, effect: Effect) -> Effect:

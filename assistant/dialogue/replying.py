@@ -6,8 +6,9 @@ import re
 from dataclasses import replace
 
 from assistant.dialogue import agreeing, practicing, reviewing, showing
-from assistant.dialogue.answers import ASSUMED_MM, answer, with_body
+from assistant.dialogue.answers import answer
 from assistant.dialogue.asking import ask, introduced, proceed, tell
+from assistant.dialogue.bodies import ASSUMED_MM, with_body
 from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.introduction import with_action
 from assistant.dialogue.naming import (
@@ -89,7 +90,7 @@ def in_state(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
         case AwaitingShow():
             return _awaiting(dialogue, act)
         case Reviewing() as state:
-            return reviewing.review(dialogue, state, act)
+            return reviewing.review(dialogue, state, act, words.text)
         case Ready() | Running() | Ran():
             return _practicing(dialogue, act)
         case Thinking():
@@ -183,6 +184,8 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
     if dialogue.pending is not None:
         return dialogue.pending.asked == "facing" and bool(stands(text, dialogue.language))
     state = dialogue.state
+    if isinstance(state, Reviewing):
+        return reviewing.names_new_step(state) and "?" not in text
     if not isinstance(state, Introducing):
         return False
     values = tuple(value for act in meant for value in _values(act))

@@ -9,7 +9,7 @@ from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, 
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.introduction import with_roles
-from assistant.dialogue.naming import alike, is_no_step
+from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import Sketch, at, inserted, names, put
 from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewing, Running, Thinking
@@ -99,7 +99,7 @@ def read_back(known: Knowledge) -> RobotAct:
     )
 
 
-def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct) -> Turn:
+def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct, words: str = "") -> Turn:
     """Answer the open question of learning."""
     head = state.questions[0] if state.questions else None
     match act:
@@ -114,9 +114,20 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct) -> Turn:
         case acts.Deny():
             return next_question(dialogue, state)
         case acts.Inform(value) if head is not None:
-            return _told(dialogue, state, str(value))
+            return _told(dialogue, state, _own_name(state, str(value), words))
         case _:
             return tell(dialogue, line("error", "not_now"))
+
+
+def names_new_step(state: Reviewing) -> bool:
+    """Whether the open question asks for the name of a step that was never introduced."""
+    return bool(state.questions) and state.questions[0].reason == "never_introduced"
+
+
+def _own_name(state: Reviewing, value: str, words: str) -> str:
+    """Return the name a teacher gives; a new step is called as said, not as a known one."""
+    known = value.lower() not in words.lower()
+    return tidy_name(words) if known and words and names_new_step(state) else value
 
 
 def next_question(dialogue: Dialogue, state: Reviewing) -> Turn:

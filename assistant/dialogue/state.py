@@ -37,6 +37,8 @@ class Knowledge:
         Whether the teacher's directions are the robot's own or mirrored.
     unplaced : tuple of str
         Objects whose place the teacher leaves to the demonstration.
+    shaped : tuple of str
+        Objects whose shape and size the teacher told.
     learned_root : Sketch or None
         The tree that the lesson was learned with.
     language : str
@@ -51,6 +53,7 @@ class Knowledge:
     root: Sketch = field(default_factory=Sketch)
     tree_confirmed: bool = False
     unplaced: tuple[str, ...] = ()
+    shaped: tuple[str, ...] = ()
     demonstrations: tuple[Demonstration, ...] = ()
     cuts_s: tuple[float, ...] | None = None
     assigned: tuple[tuple[int, str], ...] = ()

@@ -1,0 +1,67 @@
+"""Bodies whose shape and size the teacher tells: how they are held, and how high they stand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from assistant.dialogue.state import Knowledge
+from assistant.model.scene import Body
+
+ASSUMED_MM = (60.0, 40.0, 100.0)
+"""Size of a thing whose size the teacher does not know: the shipped block's."""
+AHEAD_MM = -134.1
+"""Of the flange from what the fingers hold."""
+HELD_AT = 0.6
+"""Share of its height at which a body is held, as the shipped block is."""
+HELD_MM = 60.0
+"""Height at which a body is held that nobody has told of."""
+CLEAR_MM, EDGE_MM = 54.0, 10.0
+"""The palm clears a table from this height on; fingers stay this far below a body's top."""
+MASS_KG = 0.2
+
+
+def with_body(known: Knowledge, thing: str, shape: str, size_mm: tuple[float, ...]) -> Knowledge:
+    """Return what is known after a thing has got a shape and size."""
+    shapes: Mapping[str, Body] = {
+        "box": Body(thing),
+        "cylinder": Body(thing, "cylinder"),
+        "sphere": Body(thing, "sphere"),
+        "cup": Body(thing, "cup"),
+    }
+    x, y, z = (float(length) for length in size_mm)
+    scene = known.scene
+    bodies = {**scene.bodies, thing: replace(shapes[shape], size_mm=(x, y, z))}
+    shaped = tuple(dict.fromkeys((*known.shaped, thing)))
+    return fitted(replace(known, scene=replace(scene, bodies=bodies), shaped=shaped))
+
+
+def fitted(known: Knowledge) -> Knowledge:
+    """Return what is known with told bodies held and weighed as their roles have it.
+
+    What is carried is held at a share of its height. A target is fixed, and the hand is over it
+    as high as it holds what it puts there.
+    """
+    roles = {one.name: one.role for one in known.objects or ()}
+    bodies = dict(known.scene.bodies)
+    carried = [name for name, role in roles.items() if role == "object" and name in bodies]
+    for name in (name for name in known.shaped if roles.get(name) != "target"):
+        bodies[name] = _held(bodies[name], _height_mm(bodies[name].size_mm[2]), MASS_KG)
+    over = bodies[carried[0]].grasp_xyz_mm[2] if carried else HELD_MM
+    for name in (name for name in known.shaped if roles.get(name) == "target"):
+        bodies[name] = _held(bodies[name], bodies[name].size_mm[2] + over, 0.0)
+    if bodies == known.scene.bodies:
+        return known
+    return replace(known, scene=replace(known.scene, bodies=bodies))
+
+
+def _height_mm(tall_mm: float) -> float:
+    """Return how high a body is held: at its share, or higher where the palm needs room."""
+    if not tall_mm:
+        return HELD_MM
+    share_mm = HELD_AT * tall_mm
+    return max(share_mm, min(CLEAR_MM, tall_mm - EDGE_MM))
+
+
+def _held(body: Body, height_mm: float, mass_kg: float) -> Body:
+    return replace(body, grasp_xyz_mm=(AHEAD_MM, 0.0, height_mm), mass_kg=mass_kg)

@@ -1,0 +1,53 @@
+"""Bodies the teacher tells of: held where the hand has room, targets as high as what comes."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.dialogue import effects as fx
+from assistant.dialogue.bodies import CLEAR_MM, HELD_MM, with_body
+from assistant.dialogue.state import Knowledge
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
+from assistant.model.task import TaskObject
+from tests.dialogue.teaching import Lessons
+
+KNOWN = Knowledge(objects=(TaskObject("lid", "object"), TaskObject("jar", "target")))
+
+
+@pytest.mark.parametrize(
+    ("tall_mm", "held_mm"), [(100.0, 60.0), (200.0, 120.0), (70.0, CLEAR_MM), (40.0, 30.0)]
+)
+def test_a_thing_is_held_where_the_palm_clears_the_table(tall_mm: float, held_mm: float) -> None:
+    body = with_body(KNOWN, "lid", "cylinder", (60.0, 60.0, tall_mm)).scene.bodies["lid"]
+    assert body.grasp_xyz_mm[2] == pytest.approx(held_mm)
+    assert body.mass_kg > 0
+
+
+@pytest.mark.parametrize("order", [("lid", "jar"), ("jar", "lid")])
+def test_over_a_target_the_hand_is_as_high_as_it_holds_what_it_puts_there(
+    order: tuple[str, str],
+) -> None:
+    sizes = {"lid": (60.0, 60.0, 70.0), "jar": (80.0, 80.0, 60.0)}
+    known = KNOWN
+    for name in order:
+        known = with_body(known, name, "cylinder", sizes[name])
+    jar = known.scene.bodies["jar"]
+    assert jar.grasp_xyz_mm[2] == pytest.approx(60.0 + CLEAR_MM)
+    assert jar.mass_kg == 0
+
+
+def test_a_flat_mark_is_as_the_shipped_one() -> None:
+    known = with_body(KNOWN, "jar", "box", (60.0, 40.0, 0.0))
+    assert known.scene.bodies["jar"].grasp_xyz_mm[2] == HELD_MM
+
+
+def test_the_session_is_shown_what_was_told() -> None:
+    teacher = Lessons().open()
+    teacher.tell("lid on").tell("the lid is on the jar").tell(("lid", "jar"))
+    teacher.tell("a box, 6 by 6 by 7 centimetres")
+    (arranged,) = (one for one in teacher.effects if isinstance(one, fx.Arrange))
+    assert arranged.scene is not None
+    assert "lid" in arranged.scene.bodies
+    assert isinstance(arranged.scene, Scene)
+    assert isinstance(arranged.setup, Setup)
