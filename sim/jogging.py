@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
 from sim.branches import STRAIGHT_RAD
+from sim.collision import Standing
 from sim.driving import TIP, Asked, Driven, Pace, driven, stepped
 from sim.fine_path import FinePath
 from sim.kinematics import (
@@ -173,7 +174,11 @@ class Jogger:
 def _around(scene: Scene, setup: Setup, look: ArmLook) -> Phase:
     two = np.zeros(2)
     here = FinePath(two, np.stack([look.hand] * 2), two, np.full(2, -1), ())
-    return phases(here, scene, setup, look)[0]
+    around = phases(here, scene, setup, look)[0]
+    # Nobody knows yet what the teacher will put a body on: it may come to rest on any other.
+    known = scene.bodies
+    things = [Standing(t.name, t.box) if t.name in known else t for t in around.things]
+    return replace(around, things=tuple(things))
 
 
 def tour(scene: Scene, look: ArmLook) -> tuple[float, ...]:

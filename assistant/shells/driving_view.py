@@ -15,7 +15,7 @@ from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 
-NEAR_MM, NEAR_DEG = 4.0, 3.0
+NEAR_MM, NEAR_DEG = 2.0, 1.5
 """So near the hand is there."""
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""

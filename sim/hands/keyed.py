@@ -2,10 +2,11 @@
 
 A terminal or a window hands key names to `KeyedHand.press`, drags to `KeyedHand.lead`, and calls
 `tick` once a period; each tick moves the hand on and returns the sample to record. A tap is one
-step of `STEP_M` or `STEP_RAD`, carried out to its end; a key that is seen again by then is held
-and keeps moving until `HOLD_S` after it was last seen, since terminals repeat keys instead of
-telling when one is let go. `release` ends all motion at once. The hand turns about the point
-between its fingers.
+step of `STEP_M` or `STEP_RAD`, carried out to its end; it ends where the hand comes abreast of a
+place at which a thing is grasped or let go, so that nobody has to aim. A key that is seen again
+by then is held and keeps moving until `HOLD_S` after it was last seen, since terminals repeat
+keys instead of telling when one is let go. `release` ends all motion at once. The hand turns
+about the point between its fingers.
 
 Keys: w/s forward and backward, a/d left and right, r/f up and down; q/e turn left and right,
 t/g tilt up and down, z/x roll counterclockwise and clockwise; o/c open and close the hand;
@@ -19,7 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array
+from assistant.geometry import Array, compose
 from assistant.model.motion import ArmReport, HandPath, HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -36,6 +37,7 @@ from sim.hands.keymap import (
     TURNS,
     directions,
     stepped,
+    tapped,
     unit,
 )
 from sim.jogging import Jog, Jogger, joint_path
@@ -136,8 +138,8 @@ class KeyedHand:
         if key in self._left:
             self._held = True
         elif not self._held:
-            move, turn = directions((key,))
-            self._aim(STEP_M * self._speed * move, STEP_RAD * self._speed * turn)
+            size = STEP_M * self._speed, STEP_RAD * self._speed
+            self._aim(*tapped(key, size, self._aimed(), self._places()))
         self._left[key] = HOLD_S
 
     def lead(self, move_m: tuple[float, float, float]) -> None:
@@ -145,12 +147,22 @@ class KeyedHand:
         if not self._clutched:
             self._aim(self._speed * np.array(move_m), np.zeros(3))
 
+    def _places(self) -> list[Array]:
+        """Return where the fingers are when another thing is grasped, or let go at."""
+        look, known = self._arm.look(), self._scene.bodies
+        others = [name for name in look.bodies if name in known and name != look.held]
+        bodies = [(look.bodies[name], known[name]) for name in others]
+        return [compose(compose(pose, body.hand_in_body), TIP) for pose, body in bodies]
+
+    def _aimed(self) -> Array:
+        """Return where the point between the fingers will come to rest."""
+        if self._goal is not None:
+            return self._goal
+        return self._resting().tip if self._jog is None else self._jog.tips[-1]
+
     def _aim(self, move: Array, turn: Array) -> None:
         """Add to where the hand is to come to rest."""
-        tip = self._goal
-        if tip is None:
-            tip = self._resting().tip if self._jog is None else self._jog.tips[-1]
-        self._goal = stepped(tip, move, turn)
+        self._goal = stepped(self._aimed(), move, turn)
 
     def release(self, key: str | None = None) -> None:
         """End the motion of a key, or all motion at once."""

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
-from assistant.geometry import Array, quat_from_rotvec, quat_multiply
+from assistant.geometry import Array, quat_from_rotvec, quat_inverse, quat_multiply, quat_to_rotvec
 
 MOVES: Mapping[str, tuple[float, float, float]] = {
     "w": (1.0, 0.0, 0.0),
@@ -24,6 +24,8 @@ TURNS: Mapping[str, tuple[float, float, float]] = {
     "z": (-1.0, 0.0, 0.0),
     "x": (1.0, 0.0, 0.0),
 }
+ABREAST = 1e-4
+"""A place less far off than this, in m or rad, is reached."""
 OPEN, CLOSE, FASTER, SLOWER, CLUTCH = "o", "c", "+", "-", " "
 
 
@@ -37,6 +39,41 @@ def directions(keys: Iterable[str]) -> tuple[Array, Array]:
 def stepped(tip: Array, move: Array, turn: Array) -> Array:
     """Return a pose moved along the base's axes and turned about them, shape (7,)."""
     return np.concatenate([tip[:3] + move, quat_multiply(quat_from_rotvec(turn), tip[3:])])
+
+
+def tapped(
+    key: str, size: tuple[float, float], tip: Array, places: Iterable[Array]
+) -> tuple[Array, Array]:
+    """Return the step of a key, which ends abreast of a place it would pass.
+
+    Parameters
+    ----------
+    key : str
+    size : tuple of 2 floats
+        Of a whole step, m and rad.
+    tip : array, shape (7,)
+        Where the fingers are.
+    places : iterable of array, shape (7,)
+        Where they are when a thing is grasped or let go.
+
+    Returns
+    -------
+    move, turn : array, shape (3,) each
+    """
+    move, turn = directions((key,))
+    left = [_between(tip, place) for place in places]
+    move *= _shortened(size[0], [float(away @ move) for away, _ in left])
+    turn *= _shortened(size[1], [float(angle @ turn) for _, angle in left])
+    return move, turn
+
+
+def _between(tip: Array, place: Array) -> tuple[Array, Array]:
+    angle = quat_to_rotvec(quat_multiply(place[3:], quat_inverse(tip[3:])))
+    return place[:3] - tip[:3], angle
+
+
+def _shortened(step: float, left: Sequence[float]) -> float:
+    return min((one for one in left if ABREAST < one < step), default=step)
 
 
 def unit(vector: Array) -> Array:

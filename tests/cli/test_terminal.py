@@ -32,7 +32,7 @@ class Teacher:
             ["-m", "assistant", "teach", *FLAGS, *more],
             env=environment,
             encoding="utf-8",
-            timeout=40,
+            timeout=150,
             dimensions=(40, 120),
         )
 
@@ -62,20 +62,44 @@ class Teacher:
         with contextlib.suppress(pexpect.TIMEOUT):
             self.terminal.read_nonblocking(100_000, timeout=0)
 
-    def drive(self, goal: Array, axis: str) -> None:
+    def rest(self) -> Array:
+        """Return the hand's pose once it no longer moves, however long the machine takes."""
+        last, still = self.hand()[0], 0
+        while still < 3:
+            time.sleep(0.03)
+            now = self.hand()[0]
+            still = still + 1 if np.array_equal(now, last) else 0
+            last = now
+        return last
+
+    def drive(self, goal: Array, axis: str, within: float = 0.001) -> None:
         """Hold a key until the hand is near where it should be, then tap it."""
         k = "xyz".index(axis)
-        for _ in range(1000):
+        for _ in range(2000):
             gap = float(goal[k] - self.hand()[0][k])
-            if abs(gap) < 0.004:
-                return
+            if abs(gap) < 0.03:
+                break
             self.press(KEYS[k][0 if gap > 0 else 1])
-            time.sleep(0.0 if abs(gap) > 0.03 else 0.35)
+        for _ in range(40):
+            gap = float(goal[k] - self.rest()[k])
+            if abs(gap) < within:
+                return
+            self.tap(KEYS[k][0 if gap > 0 else 1])
         raise AssertionError("the hand does not get there")
+
+    def tap(self, key: str) -> None:
+        """Press a key once and wait until the hand moves."""
+        before = self.hand()[0]
+        self.press(key)
+        for _ in range(600):
+            if not np.array_equal(self.hand()[0], before):
+                return
+            time.sleep(0.02)
+        raise AssertionError("the hand does not move")
 
     def act(self, key: str, opening: float) -> None:
         self.press(key)
-        for _ in range(200):
+        for _ in range(1000):
             if abs(self.hand()[1] - opening) < 0.003:
                 return
             time.sleep(0.05)
@@ -117,7 +141,7 @@ def show(teacher: Teacher, block: Array, target: Array) -> None:
     teacher.press("n")
     teacher.act("c", 0.04)
     teacher.press("n")
-    teacher.drive(block + above, "z")
+    teacher.drive(block + above, "z", within=0.01)
     teacher.press("n")
     for axis in "yxz":
         teacher.drive(target, axis)

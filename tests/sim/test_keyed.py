@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -232,3 +234,63 @@ def test_whatever_way_the_block_is_gone_to_the_wrist_has_room_to_carry_it_on(ord
                 hand.tick()
             assert hand.state.blocked is None
         assert np.max(np.abs(arm.look().hand[:3] - goal) * [a in axes for a in "xyz"]) < 2e-3
+
+
+@pytest.mark.parametrize(("axis", "key"), [(0, "w"), (1, "a")])
+def test_a_tap_ends_abreast_of_the_thing_it_would_pass(axis: int, key: str) -> None:
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    arm.arrange(scene, setup)
+    hand = KeyedHand(arm, A465Planner(), scene, setup)
+    goal = scene.hand_pose("block", setup.places["block"])[axis]
+    gap = [0.0, 0.0, 0.0]
+    gap[axis] = float(goal - arm.look().hand[axis]) * (1.0 - 0.012)
+    hand.lead((gap[0], gap[1], gap[2]))
+    for _ in range(240):
+        hand.tick()
+    assert abs(arm.look().hand[axis] - goal) < 0.005
+    for wanted in (0.0, 0.005):
+        hand.press(key)
+        for _ in range(30):
+            hand.tick()
+        # The next one goes on as ever.
+        assert abs(arm.look().hand[axis] - goal) == pytest.approx(wanted, abs=2e-5)
+
+
+def test_what_is_in_the_hand_shortens_no_step() -> None:
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    block = replace(setup.places["block"], kind="hand")
+    beside = replace(setup, robot_start=block)
+    arm.arrange(scene, beside)
+    hand = KeyedHand(arm, A465Planner(), scene, beside)
+    hand.press("c")
+    for _ in range(80):
+        hand.tick()
+    assert arm.look().held == "block"
+    before = arm.look().hand[2]
+    for _ in range(2):
+        hand.press("r")
+        for _ in range(30):
+            hand.tick()
+    assert arm.look().hand[2] - before == pytest.approx(0.010, abs=1e-5)
+
+
+def test_what_is_held_may_be_put_on_any_body() -> None:
+    _, scene, setup = lesson()
+    arm = KinematicArm()
+    arm.arrange(scene, replace(setup, robot_start=replace(setup.places["block"], kind="hand")))
+    hand = KeyedHand(arm, A465Planner(), scene, setup)
+    hand.press("c")
+    for _ in range(80):
+        hand.tick()
+    target = scene.hand_pose("target", setup.places["target"])
+    above = target[:3] + np.array([0.0, 0.0, 0.15])
+    for goal in (arm.look().hand[:3] + np.array([0.0, 0.0, 0.15]), above, target[:3]):
+        away = goal - arm.look().hand[:3]
+        hand.lead((float(away[0]), float(away[1]), float(away[2])))
+        for _ in range(60 + round(np.linalg.norm(away) / 0.0012)):
+            hand.tick()
+        assert hand.state.blocked is None
+    assert arm.look().hand[:3] == pytest.approx(target[:3], abs=1e-4)
+    assert arm.look().held == "block"
