@@ -120,14 +120,6 @@ def _run(result: RunResult) -> dict[str, Any]:
         "corrected": result.corrected,
         "complete": result.complete,
         "missing": list(result.missing),
-        "alignments": [
-            {
-                "object": one.object,
-                "target": one.target,
-                "distance_mm": one.distance_mm,
-                "angle_deg": one.angle_deg,
-            }
-            for one in result.alignments
-        ],
+        "alignments": [asdict(one) for one in result.alignments],
         "measures": [asdict(one) for one in result.measures],
     }

@@ -138,12 +138,24 @@ class Refusal:
 
 @dataclass(frozen=True, slots=True)
 class Alignment:
-    """How well a released object lies on its target (Table I)."""
+    """How well a released object lies on its target (Table I).
+
+    Parameters
+    ----------
+    object, target : str
+    distance_mm, angle_deg : float
+        Of the worst corner and of the edges from where the teacher wants them.
+    x_mm, y_mm : float
+        Of its base's middle from the place the setup tells, to the front and to the left:
+        a correction told there is seen in it.
+    """
 
     object: str
     target: str
     distance_mm: float
     angle_deg: float
+    x_mm: float = 0.0
+    y_mm: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)

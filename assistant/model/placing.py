@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -138,6 +139,9 @@ def alignments(
         body = scene.bodies.get(stop.object)
         if body is None or stop.object not in bodies or stop.frame not in setup.places:
             continue
-        place = place_of(scene, setup, stop, bodies)
-        found.append(alignment(body, bodies[stop.object], place, stop.frame))
+        pose, place = bodies[stop.object], place_of(scene, setup, stop, bodies)
+        away = pose[:2] - place_on(scene, setup, stop.object, stop.frame, bodies)[:2]
+        x_mm, y_mm = (1000.0 * float(one) for one in away)
+        lies = alignment(body, pose, place, stop.frame)
+        found.append(replace(lies, x_mm=x_mm, y_mm=y_mm))
     return tuple(found)

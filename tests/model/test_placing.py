@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from assistant.geometry import angle_between, compose, inverse, pose_from_mm_deg
 from assistant.model.motion import HandStop
-from assistant.model.placing import alignment, in_line, place_of, place_on, rests_on
+from assistant.model.placing import alignment, alignments, in_line, place_of, place_on, rests_on
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
 
@@ -67,3 +67,18 @@ def test_a_corrected_place_moves_along_its_surface(target: str) -> None:
     by = compose(inverse(told), place)[:2] * 1000.0
     turn = np.deg2rad(3.0)
     assert np.allclose(by, 134.1 * np.array([np.cos(turn) - 1, np.sin(turn)]) + [0, 5], atol=1e-6)
+
+
+def test_alignment_tells_where_a_body_lies_seen_from_its_told_place() -> None:
+    mark = Body("mark", size_mm=(60, 40, 0), mass_kg=0.0)
+    scene = Scene(bodies={"block": BLOCK, "mark": mark})
+    setup = Setup(places={"mark": Place("body", (500, 100, 240), (0, 0, 30))})
+    shift = pose_from_mm_deg((0, 5, 0), (0, 0, 0))
+    stop = HandStop(5, "release", "block", "mark", 0, 9, tuple(shift.tolist()))
+    told = place_on(scene, setup, "block", "mark", {})
+    pose = compose(told, shift)
+    (found,) = alignments(scene, setup, [stop], {"block": pose})
+    # In line with where the teacher wants it, and 5 mm to the left of the mark's own axes.
+    assert found.distance_mm == pytest.approx(0.0, abs=1e-9)
+    assert (found.x_mm, found.y_mm) == pytest.approx(tuple(1000.0 * (pose - told)[:2]), abs=1e-9)
+    assert np.hypot(found.x_mm, found.y_mm) == pytest.approx(5.0)
