@@ -199,3 +199,42 @@ def test_the_line_completes_remembers_and_has_a_bar_below(tmp_path: Path) -> Non
     terminal.expect(pexpect.EOF)
     terminal.close()
     assert terminal.exitstatus == 0
+
+
+def sgr(button: int, column: int, line: int, end: str) -> str:
+    """Return what a terminal sends for the mouse, places counted from 1."""
+    return f"\x1b[<{button};{column};{line}{end}"
+
+
+def test_the_mouse_drags_the_hand_while_its_button_is_held(tmp_path: Path) -> None:
+    teacher = Teacher(tmp_path)
+    terminal = teacher.terminal
+    terminal.expect("What is the task called")
+    for text, then in TALK:
+        teacher.say(text, then)
+    # Only what answers where its cursor is can be told where the mouse is.
+    terminal.send("\x1b[8;1R")
+    begin = teacher.rest()
+    # The pictures lie side by side below the keys; this is within the left one, from above.
+    terminal.send(sgr(0, 20, 20, "M"))
+    for line in (19, 18, 17):
+        terminal.send(sgr(32, 20, line, "M"))
+    for _ in range(200):
+        teacher.press("")
+        if teacher.hand()[0][0] > begin[0] + 0.01:
+            break
+    terminal.send(sgr(0, 20, 17, "m"))
+    there = teacher.rest()
+    assert there[0] > begin[0] + 0.01
+    assert there[1:3] == pytest.approx(begin[1:3], abs=1e-4)
+    # Without the button the pointer moves nothing.
+    for line in (16, 17, 18):
+        terminal.send(sgr(35, 20, line, "M"))
+    assert np.array_equal(teacher.rest(), there)
+    terminal.send(sgr(64, 20, 18, "M"))
+    for _ in range(200):
+        teacher.press("")
+        if teacher.hand()[0][2] > there[2] + 0.001:
+            break
+    assert teacher.rest()[2] == pytest.approx(there[2] + 0.005, abs=1e-4)
+    terminal.close(force=True)
