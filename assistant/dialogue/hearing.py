@@ -50,6 +50,9 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)
+    heard = heard_names.new_names(dialogue, meant) if event.by_voice else ()
+    if heard:
+        return heard_names.read_back(dialogue, meant, heard, words)
     beside = aside(dialogue, words, meant)
     if beside is not None:
         return one_question(beside)
@@ -63,9 +66,6 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     steps = told_steps(dialogue, words.text, meant)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
-    heard = heard_names.new_names(dialogue, meant) if event.by_voice else ()
-    if heard:
-        return heard_names.read_back(dialogue, meant, heard, words)
     unsure = event.understanding.confidence < SAFETY.act_confidence
     plain = answers_plainly(dialogue, meant, words.text) or names_known(dialogue, meant)
     if unsure and not plain:

@@ -24,7 +24,7 @@ from pathlib import Path
 from assistant.model.listening import Understanding
 from assistant.model.teacher_acts import act_to_json
 from assistant.shells.voice.clips import ClipReader
-from assistant.shells.voice.deciding import SURE, is_unknown
+from assistant.shells.voice.deciding import is_unknown
 from assistant.shells.voice.endpointing import EndpointSettings
 from assistant.shells.voice.recognizers import Recognizer, installed
 from assistant.shells.voice.sound import Sound
@@ -60,9 +60,12 @@ print(f"memory: {most_mb:.0f} MB at most; loading took {loaded:.1f} s of process
 
 
 def verdict(clip: Clip, heard: Understanding) -> str:
-    """Return right, wrong (acted on something else), asked, or nothing (not understood)."""
+    """Return right, wrong (acted on something else), asked, or nothing (not understood).
+
+    Acted on is what is heard surely, or as surely as it is understood when typed.
+    """
     got = [act_to_json(act) for act in heard.acts]
-    sure = heard.confidence >= SURE
+    sure = heard.confidence >= clip.sure - 1e-9
     if is_unknown(heard):
         return "nothing" if clip.acts else "right"
     if clip.acts and same(clip.acts, got):
@@ -78,18 +81,19 @@ def table(title: str, told: Iterable[Clip], reader: ClipReader, *, show: bool) -
     for clip in told:
         heard = reader.read(Sound(clip.samples), clip.listening)
         found = verdict(clip, heard)
+        room = clip.kind.partition(" dB")
         for speaker in rows_of(clip):
-            counts.setdefault((clip.kind, speaker), Counter())[found] += 1
+            counts.setdefault((f"{room[0]}{room[1]}", speaker), Counter())[found] += 1
         if show and found != "right":
             line = f"  {clip.kind} {clip.speaker}: {clip.text!r} -> {heard.heard!r}: {found}"
             print(line, flush=True)
-    print(f"{title}\n{'':<22}{'voices':<12}{'n':>4} right [95 %]")
+    print(f"{title}\n{'':<18}{'voices':<12}{'n':>4} right [95 %]")
     for (kind, speaker), found_all in sorted(counts.items()):
         total = found_all.total()
         low, high = interval(found_all["right"], total)
         shares = ", ".join(f"{what} {many}" for what, many in sorted(found_all.items()))
         right = found_all["right"] / total
-        row = f"{kind:<22}{speaker:<12}{total:>4} {right:.3f} [{low:.3f}, {high:.3f}] {shares}"
+        row = f"{kind:<18}{speaker:<12}{total:>4} {right:.3f} [{low:.3f}, {high:.3f}] {shares}"
         print(row, flush=True)
 
 

@@ -75,6 +75,7 @@ class Clip:
     listening: Listening
     acts: list[dict[str, Any]]
     samples: Samples
+    sure: float = SURE
 
 
 def sayable(text: str) -> bool:
@@ -114,16 +115,17 @@ def words(group: str, count: int, folder: Path) -> Iterator[Clip]:
     known = speakers(group)
     for at, word in enumerate(word for word in WORDS for _ in range(count)):
         speaker = known[at % len(known)]
-        listening, acts = word_meaning(word)
+        listening, acts, sure = word_meaning(word)
         for kind, samples in in_rooms(speaker, word, group, folder):
-            yield Clip(f"word {kind}", speaker.engine, word, listening, acts, samples)
+            yield Clip(f"word {kind}", speaker.engine, word, listening, acts, samples, sure)
 
 
-def word_meaning(word: str) -> tuple[Listening, list[dict[str, Any]]]:
-    """Return where a word alone is said, and what it means there."""
+def word_meaning(word: str) -> tuple[Listening, list[dict[str, Any]], float]:
+    """Return where a word alone is said, what it means there, and how surely when typed."""
     asked = "satisfied" if word in ("yes", "no") else None
     listening = Listening(stage="practice", asked=asked)  # type: ignore[arg-type]
-    return listening, [act_to_json(act) for act in understand(word, listening).acts]
+    meant = understand(word, listening)
+    return listening, [act_to_json(act) for act in meant.acts], min(SURE, meant.confidence)
 
 
 def chat(group: str, count: int, folder: Path) -> Iterator[Clip]:
@@ -160,9 +162,9 @@ def people_words(folder: Path) -> Iterator[Clip]:
     for path in recordings(folder):
         named = [name for name in (path.stem, path.parent.name) if name in WORDS]
         if named:
-            listening, acts = word_meaning(named[0])
+            listening, acts, sure = word_meaning(named[0])
             samples = read_sound(path).samples
-            yield Clip("people's word", "people", named[0], listening, acts, samples)
+            yield Clip("people's word", "people", named[0], listening, acts, samples, sure)
 
 
 def recordings(folder: Path) -> list[Path]:

@@ -25,6 +25,12 @@ def test_a_name_is_taken_after_a_yes() -> None:
     assert teacher.asked == "goal"
 
 
+def test_a_name_in_a_sentence_is_read_back_too() -> None:
+    teacher = Lessons().open()
+    teacher.hear(acts.Inform("pick in place"), text="it's called pick in place", voice=True)
+    assert teacher.lines[-1].slots["names"] == ["pick in place"]
+
+
 def test_after_a_no_it_is_asked_for_again() -> None:
     teacher = heard(Lessons().open(), "pick and plays")
     teacher.hear(acts.Deny(), text="no", voice=True)

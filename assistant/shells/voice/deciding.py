@@ -109,7 +109,8 @@ class Reading:
     @property
     def kind(self) -> tuple[object, ...]:
         """What readings with the same meaning share; free words are one meaning."""
-        return ("answers",) if self._answers else self.acts
+        numbers = any(isinstance(getattr(act, "value", ""), int) for act in self.acts)
+        return ("answers",) if self._answers and not numbers else self.acts
 
     @property
     def commands(self) -> bool:
@@ -138,11 +139,11 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     if acted is None or votes[acted] < ASK_SHARE:
         return nothing_heard(read[0].text)
     chosen = next(one for one in read if one.kind == acted)
-    likelihood = next(one.likelihood for one in found if one.text == chosen.text)
+    fit = next(one.fit for one in found if one.text == chosen.text)
     worst = -(WORST + WORST_WORD * len(chosen.text.split()))
-    if likelihood < worst - HOPELESS:
+    if fit < worst - HOPELESS:
         return nothing_heard(chosen.text)
-    well = likelihood >= worst and votes[acted] >= SURE_SHARE
+    well = fit >= worst and votes[acted] >= SURE_SHARE
     sure = well and (chosen.commands or chosen.meant.confidence < SURE)
     return as_heard(chosen, 1.0 if sure else DOUBT)
 

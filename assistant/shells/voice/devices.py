@@ -16,7 +16,8 @@ from assistant.shells.voice.sound import RATE_HZ, Samples
 
 _LIBRARY = "apt install libportaudio2, or the PortAudio of your system"
 _PLUG = "plug one in; assistant voice lists what is there"
-UNPLUGGED_AFTER_S = 2.0
+OPENS_WITHIN_S = 10.0
+UNPLUGGED_AFTER_S = 3.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,6 +77,8 @@ def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
             device=device,
             callback=keep,
         ):
+            # A device may take its time to open; once it has spoken it never pauses.
+            yield heard.get(timeout=OPENS_WITHIN_S)
             while True:
                 yield heard.get(timeout=UNPLUGGED_AFTER_S)
     except queue.Empty as error:

@@ -26,6 +26,7 @@ from assistant.shells.voice.sound import Samples, sound_pieces
 from assistant.shells.voice.speaking import Speaking
 
 SOON_S = 0.5
+AGAIN_S = 3.0
 TYPING = "the keyboard works on"
 
 
@@ -112,9 +113,24 @@ class Talking:
         try:
             frames = self._frames(session)
             ears = self._ears(session, take)
-            ears.listen(frames, beside=self._settings.real_time)
         except AssistantError as error:
             self._show(f"  ({error}; {TYPING})")
+            return
+        try:
+            ears.listen(frames, beside=self._settings.real_time)
+        except AssistantError as error:
+            self._show(f"  ({error}; {TYPING} meanwhile)")
+        while self._settings.ears is None and not session.left:
+            self._listen_again(session, ears)
+
+    def _listen_again(self, session: Session, ears: Ears) -> None:
+        """Wait for a microphone that was unplugged, and go on listening."""
+        time.sleep(AGAIN_S)
+        try:
+            frames = self._frames(session)
+            ears.listen(frames, beside=True)
+        except AssistantError:
+            return
 
     def _ears(self, session: Session, take: Callable[[Words], None]) -> Ears:
         hearing = Hearing(installed(self._settings.model), session.language)

@@ -39,14 +39,14 @@ class Candidate:
     Parameters
     ----------
     text : str
-    likelihood : float
-        Natural logarithm; of the sound, given the words.
+    fit : float
+        Natural logarithm of how well the words explain the sound, where they are said.
     share : float
         Of all candidates' weight, in [0, 1].
     """
 
     text: str
-    likelihood: float
+    fit: float
     share: float
 
 
@@ -70,18 +70,16 @@ def weighed(
         What another recognizer read.
     """
     gains = {text: gain(before) for text, before in (expected or {}).items()}
+    fits = {text: told + gains.get(text, 0.0) for text, told in likelihoods.items()}
     weights = {
-        text: told
-        + gains.get(text, 0.0)
-        + AGREED * (text in agreed)
-        - length_penalty(text, speech_s)
-        for text, told in likelihoods.items()
+        text: fit + AGREED * (text in agreed) - length_penalty(text, speech_s)
+        for text, fit in fits.items()
     }
     most = max(weights.values(), default=0.0)
     odds = {text: exp(SHARPNESS * (weight - most)) for text, weight in weights.items()}
     total = sum(odds.values())
     ranked = sorted(odds, key=lambda text: -odds[text])
-    return tuple(Candidate(text, likelihoods[text], odds[text] / total) for text in ranked)
+    return tuple(Candidate(text, fits[text], odds[text] / total) for text in ranked)
 
 
 def gain(before: float) -> float:

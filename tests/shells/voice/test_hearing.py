@@ -122,7 +122,7 @@ def test_what_explains_the_sound_best_wins_though_nobody_read_it() -> None:
 
 @pytest.mark.voice
 def test_what_explains_the_sound_badly_is_nothing() -> None:
-    slow = Weighs({"yes": -13.0, "good": -14.0}, ("stock", 0.5))
+    slow = Weighs({"yes": -16.0, "good": -19.0}, ("stock", 0.5))
     assert is_unknown(heard(Reads(("star", 1.0)), slow).understanding)
 
 
@@ -132,6 +132,14 @@ def test_two_likely_meanings_are_asked_about() -> None:
     one = heard(Reads(("light", 1.0)), slow)
     assert acted_on(one) == ()
     assert one.understanding.acts == (Translate("left"),)
+
+
+@pytest.mark.voice
+def test_numbers_that_sound_alike_are_asked_about() -> None:
+    asked = Listening(stage="introduction", asked="subtask_count")
+    slow = Weighs({"ten": -2.0, "two": -3.0}, ("tan", 0.5))
+    one = heard(Reads(("tan", 1.0)), slow, asked)
+    assert one.understanding.confidence < SURE
 
 
 @pytest.mark.voice

@@ -21,7 +21,7 @@ def test_shares_sum_to_one_and_are_ranked(told: dict[str, float], speech_s: floa
     shares = [one.share for one in found]
     assert sum(shares) == pytest.approx(1.0)
     assert shares == sorted(shares, reverse=True)
-    assert {one.text: one.likelihood for one in found} == told
+    assert {one.text: one.fit for one in found} == told
 
 
 @settings(deadline=None)
