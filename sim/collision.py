@@ -19,17 +19,23 @@ from sim import a465
 from sim.a465 import GRIPPER
 from sim.kinematics import Flags, arm_points, forward
 from sim.shapes import Boxes, body_box, box_at, boxes_apart, obstacle_box, segment_apart
+from sim.urdf import PAD_ROLL_RAD
 
 CLEARANCE_M = 0.003
 """Arm and hand keep at least this far from everything."""
 CARRIED_SLACK_M = 0.0015
-"""What is carried rests on tables and on other bodies: it may touch, not sink in."""
+"""What is carried rests on tables: it may touch, not sink in."""
+BESIDE_M = 0.001
+"""It keeps at least this far from other bodies, but from the one it is put on."""
 FAR = 1.0
 NEAR_M = 0.01
 """Only what a quick bound finds nearer than this is looked at closely."""
 
 EXCUSED_M = 0.0005
 """What is touched where the arm stands may come nearer by so much."""
+
+FINGER_TALL_M = GRIPPER.finger_m[0] * np.sin(PAD_ROLL_RAD) + GRIPPER.finger_m[2]
+"""From the lowest to the highest corner of a pad, which is rolled a little."""
 
 Indices = NDArray[np.int64]
 
@@ -45,10 +51,13 @@ class Standing:
     name : str
     box : Boxes
         At one place.
+    beside_m : float
+        How far what is carried keeps from it; less than 0 where that may rest on it.
     """
 
     name: str
     box: Boxes
+    beside_m: float = -CARRIED_SLACK_M
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,9 +99,9 @@ def fixed_things(scene: Scene) -> tuple[Standing, ...]:
     radius, height = a465.BASE_RADIUS_M, a465.BASE_M - a465.BASE_RADIUS_M
     base = box_at(_BASE_POSE, (0.0, 0.0, height / 2), (1.7 * radius, 1.7 * radius, height))
     floor = box_at(_BASE_POSE, (0.0, 0.0, -0.5), (4.0, 4.0, 1.0))
-    things = [Standing("floor", floor), Standing("base", base)]
-    for obstacle in (*scene.tables, *scene.obstacles):
-        things.append(Standing(obstacle.name, obstacle_box(obstacle)))
+    things = [Standing("floor", floor), Standing("base", base, CLEARANCE_M)]
+    things += [Standing(table.name, obstacle_box(table)) for table in scene.tables]
+    things += [Standing(one.name, obstacle_box(one), CLEARANCE_M) for one in scene.obstacles]
     return tuple(things)
 
 
@@ -151,14 +160,13 @@ class _Part:
     half: Array
     radius: float
     box: Boxes | None
-    keeps: float = CLEARANCE_M
 
     def gap(self, thing: Boxes, near: Indices) -> Array:
         """Return the distance from a box at the chosen samples."""
         if self.box is not None:
-            return boxes_apart(self.box.at(near), thing.at(near)) - self.keeps
+            return boxes_apart(self.box.at(near), thing.at(near))
         start, end = self.middle - self.half, self.middle + self.half
-        return segment_apart(start[near], end[near], thing.at(near)) - self.radius - self.keeps
+        return segment_apart(start[near], end[near], thing.at(near)) - self.radius
 
 
 def _parts(q: Array, gripper_m: Array, carried: Carried | None) -> list[_Part]:
@@ -176,13 +184,13 @@ def _parts(q: Array, gripper_m: Array, carried: Carried | None) -> list[_Part]:
     parts += [_Part("fingers", box.center, still, box.radius, box) for box in fingers]
     if carried is not None:
         held = box_at(compose(poses, carried.in_hand), carried.middle, carried.size)
-        parts.append(_Part("carried", held.center, still, held.radius, held, -CARRIED_SLACK_M))
+        parts.append(_Part("carried", held.center, still, held.radius, held))
     return parts
 
 
 def _hand(poses: Array, gripper_m: Array) -> tuple[Boxes, list[Boxes]]:
     turn, (length, width, height) = quat_to_matrix(poses[:, 3:]), GRIPPER.palm_m
-    long, thick, tall = GRIPPER.finger_m
+    (long, thick, _), tall = GRIPPER.finger_m, FINGER_TALL_M
     ahead, left = turn[:, :, 0], turn[:, :, 1]
     palm = Boxes(poses[:, :3] + ahead * length / 2, turn, np.array([length, width, height]) / 2)
     between = poses[:, :3] + ahead * (length + long / 2)
@@ -197,7 +205,8 @@ def _gaps(parts: list[_Part], things: tuple[Standing, ...]) -> Iterator[tuple[st
         for j, thing in enumerate(things):
             # The upper arm turns on the base; what lies under the base's rim is out of reach.
             if not (k == 0 and thing.name in ("base", "floor")):
-                yield part.name, thing.name, _refined(far[k, j] - part.keeps, part, thing.box)
+                keeps = thing.beside_m if part.name == "carried" else CLEARANCE_M
+                yield part.name, thing.name, _refined(far[k, j], part, thing.box, keeps)
     for part in parts[3:]:
         for name, link in (("upper arm", parts[0]), ("forearm", parts[1])):
             if part.name == "carried" or (part.name == "palm" and name == "upper arm"):
@@ -217,19 +226,22 @@ def _bounds(parts: list[_Part], things: tuple[Standing, ...]) -> Array:
     return np.asarray(np.sqrt(np.einsum("...k,...k->...", outside, outside)) - radius)
 
 
-def _refined(bound: Array, part: _Part, thing: Boxes) -> Array:
-    near = np.flatnonzero(bound < NEAR_M)
+def _refined(bound: Array, part: _Part, thing: Boxes, keeps: float) -> Array:
+    gap = bound - keeps
+    near = np.flatnonzero(gap < NEAR_M)
     if len(near):
-        bound[near] = part.gap(thing, near)
-    return bound
+        gap[near] = part.gap(thing, near) - keeps
+    return np.asarray(gap)
 
 
 def _self_gap(part: _Part, link: _Part) -> Array:
     long = np.sqrt(np.einsum("ij,ij->i", link.half, link.half))
     away = part.middle - link.middle
     apart = np.sqrt(np.einsum("ij,ij->i", away, away))
-    gap = apart - long - link.radius - part.radius - CLEARANCE_M
-    return _refined(gap, link, part.box) if part.box is not None else gap
+    gap = np.asarray(apart - long - link.radius - part.radius)
+    if part.box is None:
+        return gap - CLEARANCE_M
+    return _refined(gap, link, part.box, CLEARANCE_M)
 
 
 def carried_body(scene: Scene, name: str, in_hand: Array) -> Carried | None:

@@ -104,8 +104,16 @@ def corrected(
     part = slice(begin, last)
     samples = np.arange(begin, last, dtype=float)
     weight = _ramp(samples, begin, full, stop.left_at, last - 1)
-    wanted = compose(forward(q[part]), interpolate(IDENTITY, offset, weight))
-    q[part] = _nearest(wanted, q[part])
+    # Only from docking on must the hand be exactly there; on its way the joints drift along.
+    first, left = min(max(begin, stop.docking_at), stop.at), min(stop.left_at, last - 1)
+    exact = slice(first, left + 1)
+    poses = interpolate(IDENTITY, offset, weight[first - begin : left + 1 - begin])
+    q[exact] = _nearest(compose(forward(q[exact]), poses), q[exact])
+    before, after = slice(begin, first), slice(left + 1, last)
+    for free, sample in ((before, first), (after, left)):
+        drift = weight[free.start - begin : free.stop - begin, None]
+        drifted = motion.q[free] + drift * (q[sample] - motion.q[sample])
+        q[free] = np.clip(drifted, -a465.LIMITS, a465.LIMITS)
     if not _still_good(q, motion, part):
         return None
     margin = float(np.rad2deg(np.min(limit_margin(q))))

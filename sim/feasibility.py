@@ -17,6 +17,7 @@ from assistant.model.scene import Scene
 from sim import a465
 from sim.a465 import GRIPPER
 from sim.kinematics import arm_points, forward, inverse_all, within_limits
+from sim.urdf import PAD_ROLL_RAD
 
 GRID_M = 0.006
 KEEP_M = 0.0035
@@ -109,6 +110,7 @@ def _clouds(q: Array, posture: Posture, scene: Scene) -> Iterator[tuple[str, Arr
     yield "arm", _along(elbow, wrist), a465.FOREARM_RADIUS_M + KEEP_M
     yield "arm", _along(wrist, hand[:3]), a465.WRIST_RADIUS_M + KEEP_M
     palm, finger = np.array(GRIPPER.palm_m), np.array(GRIPPER.finger_m)
+    finger[2] += finger[0] * np.sin(PAD_ROLL_RAD)
     yield "palm", transform_points(hand, _grid(palm, (palm[0] / 2, 0.0, 0.0))), KEEP_M
     aside = (posture.gripper_m + finger[1]) / 2
     for side in (aside, -aside):

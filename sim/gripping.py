@@ -11,9 +11,9 @@ from sim.world import CONTROL_S, EASE_S, EASED, STILL_M, STILL_TICKS
 
 ACTING_S = 3.0
 """The gripper is done within this time, or something is wrong."""
-PRESSED_M = 2e-4
-"""Fingers that hold a body are told to close by so much more than they are. They press as hard
-as ever, but where the body gives way for a moment they follow it no faster than 4 mm/s."""
+PRESSED_M = 1e-3
+"""Fingers that hold a body are told to close by so much more than they are: enough to press with
+all their force, while they follow a body that gives way no faster than 40 mm/s."""
 
 
 @dataclass(slots=True)

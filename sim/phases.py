@@ -14,7 +14,16 @@ from assistant.model.motion import HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim.collision import Carried, Standing, Touch, carried_body, fixed_things, too_near, touches
+from sim.collision import (
+    BESIDE_M,
+    Carried,
+    Standing,
+    Touch,
+    carried_body,
+    fixed_things,
+    too_near,
+    touches,
+)
 from sim.fine_path import FinePath
 from sim.kinematics import Flags
 from sim.shapes import body_box, boxes_apart
@@ -139,7 +148,9 @@ def phases(
 
 def _standing(scene: Scene, bodies: Bodies, held: str) -> tuple[Standing, ...]:
     boxes = {n: body_box(scene.bodies[n], pose) for n, pose in bodies.items() if n != held}
-    return tuple(Standing(name, box) for name, box in boxes.items() if np.all(box.half > 0))
+    return tuple(
+        Standing(name, box, BESIDE_M) for name, box in boxes.items() if np.all(box.half > 0)
+    )
 
 
 def _in_hand(

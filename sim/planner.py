@@ -169,7 +169,8 @@ def _end_joints(work: _Work, branch: int) -> Array:
     lifted[:, 2] += END_LIFTS_M
     ends = answers(lifted)
     able = np.flatnonzero(ends.margin[:, branch] >= 0.0)
-    return np.asarray(ends.q[able[0], branch] if len(able) else work.found.q[-1, branch])
+    # Where no lift can be done either, the hand stays at the last place it can take.
+    return np.asarray(ends.q[able[0], branch] if len(able) else work.found.q[last, branch])
 
 
 def _stretch(work: _Work, branch: int, q: Array, first: int, last: int) -> Stretch:

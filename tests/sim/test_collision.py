@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from assistant.geometry import Array, inverse, pose_from_mm_deg
 from assistant.model.scene import Body, Obstacle, Scene
 from sim import a465
-from sim.collision import Touch, carried_body, fixed_things, too_near, touches
-from sim.kinematics import inverse_all, within_limits
+from sim.a465 import GRIPPER
+from sim.collision import (
+    CLEARANCE_M,
+    FINGER_TALL_M,
+    Touch,
+    carried_body,
+    fixed_things,
+    too_near,
+    touches,
+)
+from sim.kinematics import forward, inverse_all, within_limits
+from sim.urdf import PAD_ROLL_RAD
 from tests.sim.hand_paths import scene
 
 OPEN = np.array([0.08])
@@ -45,6 +56,21 @@ def test_a_carried_block_may_rest_on_the_table_but_not_sink_in() -> None:
 
     assert at(300.0).free
     assert (at(296.0).part, at(296.0).thing) == ("carried", "table")
+
+
+def test_a_carried_block_keeps_clear_of_an_obstacle_it_could_rest_on() -> None:
+    block = Body("block")
+    carried = carried_body(scene(), "block", inverse(block.hand_in_body))
+    ahead = float(forward(joints(533.0, 0.0, 500.0))[0, 0]) * 1000.0 + 134.1
+    box = Obstacle("box", (60.0, 40.0, 60.0), (ahead, 0.0, 500.0 - 60.0 - 61.0))
+    touch = touches(joints(533.0, 0.0, 500.0), np.array([0.04]), fixed_things(scene(box)), carried)
+    assert (touch.part, touch.thing) == ("carried", "box")
+    assert float(touch.gap[0]) == pytest.approx(0.001 - CLEARANCE_M)
+
+
+def test_the_box_around_a_finger_holds_its_rolled_pad() -> None:
+    long, _, tall = GRIPPER.finger_m
+    assert long * np.sin(PAD_ROLL_RAD) + tall * np.cos(PAD_ROLL_RAD) <= FINGER_TALL_M
 
 
 def test_what_has_no_shape_cannot_be_in_the_way() -> None:

@@ -20,6 +20,7 @@ from assistant.geometry import (
 )
 from assistant.model.motion import JointPath
 from assistant.model.scene import Body, Obstacle, Scene
+from sim import a465
 from sim.correction import checked, corrected, release_offset
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
@@ -51,6 +52,22 @@ def test_a_corrected_release_puts_the_body_where_the_plan_meant(
     assert float(distance_between(meant, reached)) < 1e-9
     assert float(angle_between(meant, reached)) < 1e-7
     assert np.array_equal(better.q[:begin], planned.q[:begin])
+
+
+def test_a_free_stretch_along_a_limit_does_not_forbid_a_correction() -> None:
+    planned = motion()
+    release = planned.stops[1]
+    q = np.array(planned.q)
+    after = slice(release.left_at + 1, len(q))
+    share = np.linspace(0.0, 1.0, len(q[after]))[:, None]
+    q[after, 5] += share[:, 0] * (a465.LIMITS[5] - q[after, 5])
+    at_limit = replace(planned, q=q, t_s=np.arange(len(q)) / 5.0)
+    for sign in (-1.0, 1.0):
+        offset = pose_from_mm_deg((0, 0, 0), (sign, 0, 0))
+        begin = planned.stops[0].left_at
+        better = corrected(at_limit, offset, begin, release.docking_at, release)
+        assert better is not None
+        assert np.all(np.abs(better.q) <= a465.LIMITS)
 
 
 def test_of_a_correction_that_would_touch_something_a_part_is_done() -> None:
