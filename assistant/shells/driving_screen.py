@@ -166,5 +166,6 @@ class Screen:
         if state.clutched:
             warning = str(words["clutched"])
         if state.blocked is not None:
-            warning = in_the_way(state.blocked, words, self._session.language)
+            held = self._session.mover.look.held
+            warning = in_the_way(state.blocked, words, self._session.language, held)
         return [[("ansiyellow", line)] for line in wrapped(warning, columns(), before=" ")]

@@ -101,12 +101,26 @@ def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]
         yield str(words["turn"]).format(deg=round(abs(gap.yaw_deg)), way=ways[key], key=key)
 
 
-def in_the_way(trouble: Refusal | ArmReport, words: Mapping[str, Any], language: str) -> str:
-    """Return in words why the hand does not go on."""
+def in_the_way(
+    trouble: Refusal | ArmReport, words: Mapping[str, Any], language: str, held: str = ""
+) -> str:
+    """Return in words why the hand does not go on.
+
+    Parameters
+    ----------
+    trouble : Refusal or ArmReport
+    words : mapping
+        Of driving.
+    language : str
+    held : str
+        What the hand holds: put down, it touches something.
+    """
     if isinstance(trouble, Refusal):
         told = phrase(refusal_line("refuse", trouble), language)
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
-    return str(words["faults"][trouble.text]).format(name=trouble.object)
+    put_down = bool(held) and trouble.text == "contact"
+    template = words["put_down"] if put_down else words["faults"][trouble.text]
+    return str(template).format(name=trouble.object, held=held)
 
 
 def step_line(view: Mapping[str, Any], cues: Sequence[str], words: Mapping[str, Any]) -> str:

@@ -93,6 +93,9 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
     assert "another order" in wound
     slipped = ArmReport("unmet", 1.0, text="held", object="block")
     assert "block slipped" in in_the_way(slipped, WORDS, "english")
+    touched = ArmReport("unmet", 1.0, text="contact", object="target")
+    assert "bumped into the target" in in_the_way(touched, WORDS, "english")
+    assert in_the_way(touched, WORDS, "english", "block").startswith("the block touches the target")
 
 
 @pytest.mark.parametrize("reason", ["reach", "joint_limit", "collision", "speed"])
