@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -14,12 +16,13 @@ from assistant.model.listening import Listening
 from assistant.model.robot_acts import RobotAct
 from assistant.model.transcript import Transcript
 from assistant.session.opening import Opening, open_session
+from assistant.shells.beside import Words
 from assistant.shells.plain import PlainShell
 from assistant.shells.voice import talking
 from assistant.shells.voice.deciding import Heard
 from assistant.shells.voice.ears import Ears
-from assistant.shells.voice.endpointing import Endpointer
-from assistant.shells.voice.sound import RATE_HZ, Samples, Sound, write_sound
+from assistant.shells.voice.endpointing import Endpointer, frames_in
+from assistant.shells.voice.sound import RATE_HZ, Samples, Sound, read_sound, write_sound
 from assistant.shells.voice.talking import Talking, TalkSettings
 
 pytestmark = pytest.mark.voice
@@ -71,6 +74,49 @@ def test_a_sound_file_is_heard_to_its_end(tmp_path: Path, monkeypatch: pytest.Mo
     assert "right?" in told[told.index("you: pick and place") + 1]
     assert "you: the block rests on the target" in told
     assert "Which things" in told[told.index("you: the block rests on the target") + 1]
+
+
+def test_a_microphone_unplugged_mid_word_is_told_and_heard_again_once_plugged_in(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = frames_in([read_sound(bursts(tmp_path / "said.wav", 1))])
+    plugged = threading.Event()
+
+    def frames(self: Talking, session: object) -> Iterator[Samples]:
+        if not plugged.is_set():
+            plugged.set()
+            yield np.full(512, 0.5, np.float32)
+            raise BadInput.one("voice", "the microphone fell silent", "plug it in again")
+        yield from said
+        while not heard.is_set():
+            yield np.zeros(512, np.float32)
+
+    def ears(self: Talking, session: object, take: Callable[[Words], None]) -> Ears:
+        def taken(words: Words) -> None:
+            take(words)
+            heard.set()
+
+        return Ears(session, taken, Endpointer(loudness), Says("pick and place"))  # type: ignore[arg-type]
+
+    heard = threading.Event()
+    monkeypatch.setattr(talking.Talking, "_frames", frames)
+    monkeypatch.setattr(talking.Talking, "_ears", ears)
+    monkeypatch.setattr(talking, "AGAIN_S", 0.0)
+    told: list[str] = []
+
+    def lines() -> Iterator[str]:
+        heard.wait(10.0)
+        yield "quit\n"
+        yield "no\n"
+
+    session = open_session(
+        Opening(make_equipment, tmp_path, lambda line, text: None), Transcript("by ear")
+    )
+    beside = Talking(TalkSettings(mute=True), told.append)
+    PlainShell(told.append).run(session, lines(), live=False, beside=beside)
+    session.close()
+    assert any("the microphone fell silent" in line for line in told)
+    assert "you: pick and place" in told
 
 
 def test_without_a_microphone_typing_goes_on(
