@@ -36,7 +36,10 @@ def zero_velocity(shown: Shown, smoothed: Smoothed) -> list[float]:
 
 
 def ruptures_cutters() -> dict[str, list[Cutter]]:
-    """Return the peer's methods with several settings each; the best on the set is shown."""
+    """Return the peer's methods with many settings each; the best on the set is shown.
+
+    Every method sees every feature, at up to ten samples a second.
+    """
     try:
         import ruptures
     except ImportError:
@@ -45,7 +48,7 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
     def cutter(make: Callable[[], object], feature: str) -> Cutter:
         def cut(shown: Shown, smoothed: Smoothed) -> list[float]:
             t_s, rows = _features(smoothed, feature)
-            count = min(len(shown.cuts_s), len(t_s) // 4)
+            count = min(len(shown.cuts_s), len(t_s) // 16)
             fitted = make().fit(rows)  # type: ignore[attr-defined]
             if isinstance(fitted, ruptures.Pelt):
                 ends = _with_count(fitted, count)
@@ -55,16 +58,16 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
 
         return cut
 
-    sizes = (2, 6)
+    sizes = (2, 5, 15)
     kinds: dict[str, list[Callable[[], object]]] = {
-        "ruptures Pelt": [partial(ruptures.Pelt, model="l2", min_size=2, jump=2)],
+        # With the count known, Pelt finds what KernelCPD finds with its linear kernel.
+        "ruptures Pelt": [partial(ruptures.Pelt, model="l2", min_size=5, jump=5)],
         "ruptures Binseg": [
-            partial(ruptures.Binseg, model=model, min_size=size, jump=1)
-            for model in ("l2", "l1", "rbf")
-            for size in sizes
+            *(partial(ruptures.Binseg, model="l2", min_size=size, jump=1) for size in sizes),
+            partial(ruptures.Binseg, model="rbf", min_size=5, jump=5),
         ],
         "ruptures BottomUp": [
-            partial(ruptures.BottomUp, model="l2", min_size=size, jump=2) for size in sizes
+            partial(ruptures.BottomUp, model="l2", min_size=size, jump=2) for size in sizes[:2]
         ],
         "ruptures KernelCPD": [
             partial(ruptures.KernelCPD, kernel=kernel, min_size=size)
@@ -72,9 +75,8 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
             for size in sizes
         ],
     }
-    features = ("velocity", "place", "log")
     return {
-        name: [cutter(make, feature) for make in makes for feature in features]
+        name: [cutter(make, feature) for make in makes for feature in FEATURES]
         for name, makes in kinds.items()
     }
 
@@ -94,16 +96,32 @@ def _with_count(fitted: object, count: int) -> list[int]:
     return best
 
 
+FEATURES = ("velocity", "place", "log", "place and velocity", "log and place", "pose", "all")
+
+
 def _features(smoothed: Smoothed, feature: str) -> tuple[Array, Array]:
     """Return times and standardized rows, at most ten a second."""
     step = float(np.median(np.diff(smoothed.t_s)))
-    stride = max(round(0.1 / step), 1, len(smoothed.t_s) // 250)
+    stride = max(round(0.1 / step), 1, len(smoothed.t_s) // 400)
     speed = smoothed.speed[:, None]
-    rows = {
+    turning = np.linalg.norm(smoothed.turn_rate, axis=1)[:, None]
+    single = {
         "velocity": np.hstack([smoothed.velocity, speed]),
         "place": smoothed.path[:, :3],
         "log": np.log(speed + 0.05 * np.mean(speed)),
-    }[feature][::stride]
+        "turning": np.log(turning + 0.05 * np.mean(turning) + 1e-6),
+        "turned": smoothed.path[:, 3:],
+    }
+    joined = {
+        "place and velocity": ("place", "velocity"),
+        "log and place": ("log", "place"),
+        "pose": ("place", "turned"),
+        "all": ("place", "velocity", "log", "turning", "turned"),
+    }
+    names = joined.get(feature, (feature,))
+    rows = np.hstack([single[name] for name in names])[::stride]
+    if smoothed.gripper_m is not None and feature in ("pose", "all"):
+        rows = np.hstack([rows, smoothed.gripper_m[::stride, None]])
     return smoothed.t_s[::stride], (rows - rows.mean(axis=0)) / (rows.std(axis=0) + 1e-9)
 
 
