@@ -36,9 +36,9 @@ DOCKED_M, DOCKED_RAD = 0.010, float(np.deg2rad(5.0))
 """A hand this close to a docking stretch is docked: a correction by sensor moves it a little."""
 TRAVEL_M = 0.005
 """A path whose opening changes by less does not tell how far open is."""
-ABOVE_M, BESIDE_M = 0.005, 0.060
-"""Above begins that high over a place, and ends that far beside it. Twice what a demonstration
-must show: a moved setup bends the free way between two places."""
+ABOVE_M, BESIDE_M = 0.005, 0.200
+"""Above begins that high over a place, and ends that far beside it: a free way between two places
+bends by up to 0.17 m where setups are moved, and a body on its way down is over its place."""
 SHOWN_MM, SHOWN_DEG = 15.0, 4.0
 """A teacher at the keys lets a body go some millimetres beside its place. What learning took for
 in line is so again if it lies where it was shown, and that is this close to the place itself."""
