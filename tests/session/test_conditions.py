@@ -15,7 +15,9 @@ from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
 from assistant.model.task import CONDITIONS, Condition
 from assistant.ports import ArmLook
-from assistant.session.conditions import Surroundings, first_unmet, holds
+from assistant.session.conditions import Surroundings, expectations, first_unmet, holds
+from tests.session.test_heeding import told
+from tests.session.test_practice import learned
 
 BLOCK = Body("block")
 TARGET = Body("target", size_mm=(60.0, 40.0, 0.0), mass_kg=0.0)
@@ -175,6 +177,17 @@ def test_the_first_unmet_condition_is_told_with_what_is_found_instead() -> None:
     assert (ending.when, ending.found) == ("until", "open")
     assert first_unmet(conditions, -1, "before", AROUND, look(FAR)) is None
     assert first_unmet(conditions, 0, "until", AROUND, look(FAR, 0.01)) is None
+
+
+def test_what_was_seen_above_on_a_free_way_is_demanded_only_if_told() -> None:
+    above = (Condition("above", "block", "target"),)
+    task = learned("pick_and_place")
+    assert task.learned is not None
+    name = "move up object"
+    until = {**task.learned.until, name: above}
+    seen = replace(task, learned=replace(task.learned, until=until))
+    assert expectations(seen)[2][1] == ()
+    assert expectations(told(seen, name, until="above block target"))[2][1] == above
 
 
 def test_on_a_body_that_was_moved_is_where_that_body_is() -> None:
