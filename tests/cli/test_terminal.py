@@ -18,6 +18,7 @@ from assistant.session.opening import chosen
 
 KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and for less of x, y and z."""
+RESTS_S = 0.2
 FLAGS = ("--arm", "kinematic", "--pace", "8")
 
 
@@ -47,12 +48,16 @@ class Teacher:
 
     def hand(self) -> tuple[Array, float]:
         """Return pose and opening as recorded last."""
+        row = self.sample()
+        return row[1:8], float(row[8])
+
+    def sample(self) -> Array:
+        """Return the last whole row of the recording."""
         path = self.home / "sessions" / "1" / "recording_1.csv"
         while True:
             lines = path.read_bytes()[-1000:].split(b"\n") if path.exists() else []
             if len(lines) > 2:
-                numbers = [float(text) for text in lines[-2].split(b",")]
-                return np.array(numbers[1:8]), numbers[8]
+                return np.array([float(text) for text in lines[-2].split(b",")])
             time.sleep(0.05)
 
     def press(self, key: str) -> None:
@@ -63,14 +68,15 @@ class Teacher:
             self.terminal.read_nonblocking(100_000, timeout=0)
 
     def rest(self) -> Array:
-        """Return the hand's pose once it no longer moves, however long the machine takes."""
-        last, still = self.hand()[0], 0
-        while still < 3:
-            time.sleep(0.03)
-            now = self.hand()[0]
-            still = still + 1 if np.array_equal(now, last) else 0
-            last = now
-        return last
+        """Return the hand's pose once it rests by its own clock, however slow the machine is."""
+        since = self.sample()
+        while True:
+            self.press("")
+            now = self.sample()
+            if not np.array_equal(now[1:8], since[1:8]):
+                since = now
+            elif now[0] - since[0] > RESTS_S:
+                return np.array(now[1:8])
 
     def drive(self, goal: Array, axis: str, within: float = 0.001) -> None:
         """Hold a key until the hand is near where it should be, then tap it."""
