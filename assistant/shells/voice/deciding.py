@@ -132,8 +132,9 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     """
     read = [Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
     votes: dict[tuple[object, ...], float] = {}
-    for one in read:
-        if not is_unknown(one.meant) and one.meant.confidence >= ASKABLE:
+    for one, candidate in zip(read, found, strict=False):
+        askable = candidate.expected or one.meant.confidence >= ASKABLE
+        if askable and not is_unknown(one.meant):
             votes[one.kind] = votes.get(one.kind, 0.0) + one.weight
     acted = max(votes, key=lambda one: votes[one], default=None)
     if acted is None or votes[acted] < ASK_SHARE:

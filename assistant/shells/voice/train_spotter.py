@@ -176,7 +176,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, default=WEIGHTS)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--threshold", type=float, default=0.8)
+    parser.add_argument("--threshold", type=float, default=0.9)
     parser.add_argument("--steps", type=int, default=4000)
     parser.add_argument("--piper", type=Path, metavar="MODEL", help="a Piper model file")
     parser.add_argument("--kokoro", type=int, default=0, metavar="N", help="so many mixed voices")

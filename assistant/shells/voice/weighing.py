@@ -43,11 +43,14 @@ class Candidate:
         Natural logarithm of how well the words explain the sound, where they are said.
     share : float
         Of all candidates' weight, in [0, 1].
+    expected : bool
+        Whether it may well be said now.
     """
 
     text: str
     fit: float
     share: float
+    expected: bool = False
 
 
 def weighed(
@@ -79,7 +82,7 @@ def weighed(
     odds = {text: exp(SHARPNESS * (weight - most)) for text, weight in weights.items()}
     total = sum(odds.values())
     ranked = sorted(odds, key=lambda text: -odds[text])
-    return tuple(Candidate(text, fits[text], odds[text] / total) for text in ranked)
+    return tuple(Candidate(text, fits[text], odds[text] / total, text in gains) for text in ranked)
 
 
 def gain(before: float) -> float:

@@ -7,12 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
-from assistant.model.listening import Listening
+from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Affirm, Inform, Start, Stop, TeacherAct, Translate, Undo
-from assistant.shells.voice.deciding import SURE, Heard, is_unknown
+from assistant.shells.voice.deciding import SURE, Heard, decided, is_unknown
 from assistant.shells.voice.hearing import Hearing, expected, hot_words
 from assistant.shells.voice.recognizers import Recognized
 from assistant.shells.voice.sound import Samples
+from assistant.shells.voice.weighing import Candidate
 
 PRACTICE = Listening(stage="practice")
 IN_SILENCE = np.concatenate(
@@ -146,6 +147,16 @@ def test_numbers_that_sound_alike_are_asked_about() -> None:
 def test_a_likely_reading_that_means_nothing_outweighs_a_command() -> None:
     slow = Weighs({"quit": -6.0, "quite cold": -0.5}, ("quite cold", 0.9))
     assert is_unknown(heard(Reads(("quite cold", 1.0)), slow).understanding)
+
+
+def test_what_is_expected_is_asked_about_though_its_meaning_is_doubtful() -> None:
+    doubtful = Understanding((Translate("right"),), 0.2, "right")
+    told = (Candidate("right", -1.0, 0.9, expected=True), Candidate("write", -5.0, 0.1))
+    one = decided(told, lambda text: doubtful)
+    assert one.understanding.acts == (Translate("right"),)
+    assert one.understanding.confidence < SURE
+    unexpected = decided((Candidate("right", -1.0, 1.0),), lambda text: doubtful)
+    assert is_unknown(unexpected.understanding)
 
 
 def test_while_the_arm_moves_any_reading_may_stop_it() -> None:
