@@ -24,7 +24,8 @@ from assistant.learning.questions import UNSURE
 from assistant.learning.reading import Understood, read
 from assistant.learning.segmentation import gathered
 from assistant.model.settings import SegmentationSettings
-from tests.benchmarks.bench_segmentation import HABITS, of_people, other_length, without_cues
+from tests.benchmarks.bench_segmentation import HABITS, of_people, without_cues
+from tests.benchmarks.segmentation_lessons import other_length
 from tests.benchmarks.segmentation_scores import auroc, brier, calibration_error, matched
 from tests.generators import generator_a, generator_b
 from tests.generators.shown import Shown, spoken_cues

@@ -17,15 +17,19 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.errors import WorkFailed
 from assistant.files.demonstrations import read_demonstration
 from assistant.files.tasks import read_task
-from assistant.learning.segmentation import segment
 from assistant.learning.smoothing import Smoothed
 from assistant.model.lesson import Segmentation
 from assistant.model.settings import SegmentationSettings, paper
 from assistant.model.task import Action, Primitive, Subtask, Task, primitives
 from tests.benchmarks import segmentation_peers as peers
+from tests.benchmarks.segmentation_lessons import (
+    episodes_right,
+    other_length,
+    ours,
+    steps_named,
+)
 from tests.benchmarks.segmentation_scores import (
     auroc,
     brier,
@@ -85,31 +89,11 @@ def nothing_told(shown: Shown) -> Shown:
     return replace(shown, task=Task("unknown", Subtask("unknown", (leaf,))))
 
 
-def other_length(shown: Shown, seed: int, *, longer: bool) -> Shown:
-    """Return the same demonstration with a tree one step too long or too short."""
-    rng = np.random.default_rng(seed)
-    leaves = list(primitives(shown.task.tree))
-    at = int(rng.integers(1, len(leaves)))
-    if longer:
-        way = str(rng.choice(["left", "forward", "up", "down"]))
-        leaves.insert(at, Primitive("one too many", Action("move", way)))
-    else:
-        del leaves[at]
-    return replace(shown, task=replace(shown.task, tree=Subtask("told", tuple(leaves))))
-
-
-def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmentation:
-    try:
-        return segment(shown.demonstration, shown.task, settings)
-    except WorkFailed:
-        return Segmentation((), (), None)
-
-
 Row = tuple[str, Callable[[list[Shown]], list[Sequence[float]]]]
 
 
-def rows(shows: list[Shown], smoothed: list[Smoothed]) -> Iterator[Row]:
-    """Yield every method's name and what it finds."""
+def rows(shows: list[Shown], smoothed: list[Smoothed], *, quick: bool) -> Iterator[Row]:
+    """Yield every method's name and what it finds; if quick, ours and cues only."""
     shift_s = peers.best_shift(shows, TOLERANCES_S[-1])
 
     known: dict[int, list[list[float]]] = {}
@@ -140,7 +124,9 @@ def rows(shows: list[Shown], smoothed: list[Smoothed]) -> Iterator[Row]:
         "MSV minima": peers.msv_minima,
         "zero velocity": peers.zero_velocity,
     }
-    named = simple | {name: best_of(cs) for name, cs in peers.ruptures_cutters().items()}
+    named = simple
+    if not quick:
+        named |= {name: best_of(cs) for name, cs in peers.ruptures_cutters().items()}
     for name, cutter in named.items():
         yield f"{name}, count", of(cutter, False)
         yield f"{name}, count + cues", of(cutter, True)
@@ -159,23 +145,6 @@ def rows(shows: list[Shown], smoothed: list[Smoothed]) -> Iterator[Row]:
                 ours(other_length(s, k, longer=longer)).cuts_s for k, s in enumerate(given)
             ],
         )
-
-
-def episodes_right(shows: list[Shown], *, true_cuts: bool) -> float:
-    """Return the share of true episodes whose middle is given its own primitive."""
-    right = total = 0
-    for shown in shows:
-        given = shown.cuts_s if true_cuts else None
-        try:
-            found = segment(shown.demonstration, shown.task, cuts_s=given).episodes
-        except WorkFailed:
-            found = ()
-        edges = [0.0, *shown.cuts_s, float(shown.demonstration.recording.t_s[-1])]
-        for a, b, name in zip(edges[:-1], edges[1:], shown.names, strict=True):
-            total += 1
-            middle = 0.5 * (a + b)
-            right += any(e.from_s <= middle <= e.to_s and e.primitive == name for e in found)
-    return right / max(total, 1)
 
 
 def asked_about(shown: Shown, found: Segmentation) -> tuple[bool, bool]:
@@ -230,7 +199,7 @@ def report(name: str, shows: list[Shown], *, quick: bool) -> None:
         + "  ms each"
     )
     smoothed = peers.smoothed_of(shows)
-    for label, find in rows(shows, smoothed):
+    for label, find in rows(shows, smoothed, quick=quick):
         if quick and not label.startswith(("ours", "cues")):
             continue
         began = time.perf_counter()
@@ -245,6 +214,7 @@ def report(name: str, shows: list[Shown], *, quick: bool) -> None:
         print(line + f"  {each_ms:7.1f}", flush=True)
     own, true = (episodes_right(shows, true_cuts=given) for given in (False, True))
     print(f"  episodes right: on own cuts {own:.3f}, on true cuts {true:.3f}")
+    print(f"  steps named in a question: {steps_named(shows)}")
     print(f"  confidence: {confidence_line(shows)}", flush=True)
 
 

@@ -1,0 +1,76 @@
+"""What the segmenter makes of lessons: its cuts, its episodes and the steps it asks about."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from assistant.errors import WorkFailed
+from assistant.learning.segmentation import segment
+from assistant.model.lesson import Segmentation
+from assistant.model.settings import SegmentationSettings
+from assistant.model.task import Action, Primitive, Subtask, primitives
+from tests.generators.shown import Shown
+
+
+def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmentation:
+    try:
+        return segment(shown.demonstration, shown.task, settings)
+    except WorkFailed:
+        return Segmentation((), (), None)
+
+
+def other_length(shown: Shown, seed: int, *, longer: bool) -> Shown:
+    """Return the same demonstration with a tree one step too long or too short."""
+    rng = np.random.default_rng(seed)
+    leaves = list(primitives(shown.task.tree))
+    at = int(rng.integers(1, len(leaves)))
+    if longer:
+        way = str(rng.choice(["left", "forward", "up", "down"]))
+        leaves.insert(at, Primitive("one too many", Action("move", way)))
+    else:
+        del leaves[at]
+    return replace(shown, task=replace(shown.task, tree=Subtask("told", tuple(leaves))))
+
+
+def episodes_right(shows: list[Shown], *, true_cuts: bool) -> float:
+    """Return the share of true episodes whose middle is given its own primitive."""
+    right = total = 0
+    for shown in shows:
+        given = shown.cuts_s if true_cuts else None
+        try:
+            found = segment(shown.demonstration, shown.task, cuts_s=given).episodes
+        except WorkFailed:
+            found = ()
+        edges = [0.0, *shown.cuts_s, float(shown.demonstration.recording.t_s[-1])]
+        for a, b, name in zip(edges[:-1], edges[1:], shown.names, strict=True):
+            total += 1
+            middle = 0.5 * (a + b)
+            right += any(e.from_s <= middle <= e.to_s and e.primitive == name for e in found)
+    return right / max(total, 1)
+
+
+def steps_named(shows: list[Shown]) -> str:
+    """Return how many steps never introduced, and never shown, a question names.
+
+    A step that was shown counts as named if the question tells a time within it.
+    """
+    unheard = unseen = 0
+    for k, shown in enumerate(shows):
+        short = other_length(shown, k, longer=False)
+        told = {leaf.name for leaf in primitives(short.task.tree)}
+        at = next(i for i, name in enumerate(shown.names) if name not in told)
+        edges = [0.0, *shown.cuts_s, float(shown.demonstration.recording.t_s[-1])]
+        for question in ours(short).questions:
+            if question.reason == "never_introduced":
+                a, b = (float(str(question.facts[key])) for key in ("from_s", "to_s"))
+                if max(a, edges[at]) < 0.5 * (a + b) < min(b, edges[at + 1]):
+                    unheard += 1
+                    break
+        long = other_length(shown, k, longer=True)
+        unseen += any(
+            one.reason == "never_shown" and one.about == "one too many"
+            for one in ours(long).questions
+        )
+    return f"never introduced {unheard}/{len(shows)}, never shown {unseen}/{len(shows)}"
