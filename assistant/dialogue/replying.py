@@ -43,6 +43,8 @@ from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Action
 
+SHORTEST_GOAL = 3
+"""Words of a goal that is taken however it is worded: it is read back with the plan."""
 SENTENCE = 5
 """Words of an answer about things; a longer one is read as a sentence."""
 
@@ -197,8 +199,7 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
             things = things_in(values, scene, dialogue.language)
             return bool(things) and all(thing.name in scene.bodies for thing in things)
         case "goal":
-            # Any sentence may be a goal, and it is read back with the plan.
-            return "?" not in text and len(text.split()) >= SENTENCE
+            return "?" not in text and len(text.split()) >= SHORTEST_GOAL
         case "subtask_count":
             return values == (str(number_of(text, dialogue.language)),)
         case "subtask_name":
