@@ -58,7 +58,7 @@ class Screen:
         goals = [compose(compose(pose, body.hand_in_body), tip) for pose, body in bodies]
         seen = seen_mm(look, [compose(look.hand, tip), *goals], scene)
         size = shutil.get_terminal_size()
-        across = (columns() - INDENT - APART) // (2 * CHARACTERS)
+        across = (columns() - 1 - INDENT - APART) // (2 * CHARACTERS)
         rows = min(max(size.lines - OTHERS, LOW), HIGH)
         return sights(seen, rows, min(max(across, NARROW), WIDE), facing=self.facing)
 
@@ -106,7 +106,7 @@ class Screen:
         for key in keys:
             does = str(self._words["keys"][key])
             size = len(key) + len(does) + 4
-            if used + size > columns():
+            if used + size >= columns():
                 lines.append([("", " " * begin)])
                 used = begin
             used += size
