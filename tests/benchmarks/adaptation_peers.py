@@ -170,7 +170,7 @@ def _xyzw(poses: Array) -> Array:
 
 def _dmps(*, cartesian: bool, whole: bool) -> Iterator[tuple[str, Fit]]:
     """Yield settings: samples a weight, stiffness of the spring, smooth scaling of the forcing."""
-    for each, alpha, smooth in itertools.product((3, 6, 12, 24), (15.0, 25.0, 50.0), (False, True)):
+    for each, alpha, smooth in itertools.product((2, 3, 6), (25.0, 50.0, 100.0), (False, True)):
         name = f"1/{each}, alpha {alpha:.0f}{', smooth' if smooth else ''}"
         yield (
             name,
