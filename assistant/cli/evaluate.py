@@ -74,11 +74,19 @@ def _noise(text: str) -> tuple[float, float]:
 
 def run(args: argparse.Namespace) -> int:
     """Practice every setup that is not finished yet, then tell how it went."""
-    from assistant.cli.evaluation import Evaluation, Finished, Worker, evaluated, summary, told
+    from assistant.cli.evaluation import (
+        Evaluation,
+        Finished,
+        Worker,
+        evaluated,
+        scene_for,
+        summary,
+        told,
+    )
 
     wanted = Evaluation(
         str(args.learned),
-        args.scene,
+        args.scene or scene_for(args.learned),
         args.setups,
         args.seed,
         args.sector,

@@ -55,6 +55,14 @@ def _read(path: Path) -> bytes:
         raise BadInput.one(str(path), what, "name a task that was learned") from error
 
 
+def scene_for(learned: Path) -> str:
+    """Return the name of the first scene that has all a task is about."""
+    from assistant.cli.fitting import fitting_scene
+    from assistant.files.tasks import read_task
+
+    return fitting_scene(read_task(learned), learned).name
+
+
 class Finished:
     """The record of finished setups, by number.
 
