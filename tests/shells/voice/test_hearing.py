@@ -136,10 +136,17 @@ def test_two_likely_meanings_are_asked_about() -> None:
 
 
 @pytest.mark.voice
+def test_a_name_is_mended_if_that_explains_the_sound() -> None:
+    slow = Weighs({"please object": -3.0, "place object": -3.5}, ("please object", 0.9))
+    one = heard(Reads(("pleas object", 1.0)), slow, NAMING)
+    assert one.understanding.acts == (Inform("place object"),)
+
+
+@pytest.mark.voice
 def test_numbers_that_sound_alike_are_asked_about() -> None:
     asked = Listening(stage="introduction", asked="subtask_count")
-    slow = Weighs({"ten": -2.0, "two": -3.0}, ("tan", 0.5))
-    one = heard(Reads(("tan", 1.0)), slow, asked)
+    slow = Weighs({"two": -2.0, "three": -2.2}, ("tea", 0.5))
+    one = heard(Reads(("tea", 1.0)), slow, asked)
     assert one.understanding.confidence < SURE
 
 

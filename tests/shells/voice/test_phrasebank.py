@@ -8,7 +8,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
 from assistant.shells.voice.deciding import is_unknown
-from assistant.shells.voice.phrasebank import MOST_WORDS, near
+from assistant.shells.voice.phrasebank import MOST_WORDS, mended, near
 
 pytestmark = pytest.mark.voice
 
@@ -33,3 +33,9 @@ def test_phrases_are_short_and_mean_something() -> None:
     practice = Listening(stage="practice")
     assert understand("scratch that", practice).acts == (Undo(),)
     assert sum(not is_unknown(understand(one, practice)) for one in found) > 10
+
+
+def test_a_name_is_mended_by_one_word_that_sounds_alike() -> None:
+    words = ("place", "target", "open")
+    assert mended("please object on target", words) == ("place object on target",)
+    assert mended("place object on target", words) == ()
