@@ -36,8 +36,8 @@ Kind = Literal["primitive", "perceived", "unmet", "halted", "finished"]
 NOT_WHERE_PLANNED_DEG = 1.0
 """A motion must begin this close to where the arm is."""
 LOST_TICKS = 3
-SETTLED_TICKS = 3
-"""A correction is complete so long before the body stands."""
+SETTLED_SHARE = 0.25
+"""A correction on arrival is complete by this share of the way down: a peg is not in yet."""
 
 
 class SimulatedArm:
@@ -255,7 +255,8 @@ class SimulatedArm:
         # What crept while the body was carried is seen on arrival at the docking pose.
         stop = playback.pending[0] if playback.pending else None
         if stop is not None and self._carried and playback.sample == stop.docking_at:
-            self._correct(self._carried, playback.sample, stop.at - SETTLED_TICKS)
+            down = max(int(SETTLED_SHARE * (stop.at - playback.sample)), 1)
+            self._correct(self._carried, playback.sample, playback.sample + down)
 
     def _passed(self, playback: Playback) -> list[ArmReport]:
         told = []
