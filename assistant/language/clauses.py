@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from assistant.language.frames import framed
+from assistant.language.framing import framed
 from assistant.language.located import (
     acted_correction,
     correction,

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from assistant.language.clauses import clause
 from assistant.language.compounds import compound, corrected, once_more
+from assistant.language.mending import mended
 from assistant.language.parsing import (
     ACTING,
     DOUBTFUL,
     LIKELY,
+    NAMED,
+    SURE,
     Hearing,
     Parse,
     texts_of,
@@ -16,12 +19,16 @@ from assistant.language.words import Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
     Affirm,
+    Again,
     Approve,
     Deny,
     Optional,
+    RepeatLine,
+    Resume,
     Save,
     Start,
     TeacherAct,
+    Undo,
     Unknown,
     Unordered,
 )
@@ -49,22 +56,40 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
     repeated = once_more(words, hearing)
     if repeated is not None:
         return repeated
+    taken_back = _mended(words, hearing)
+    if taken_back is not None:
+        return settled(taken_back, hearing.listening)
     whole = clause(words, hearing)
     if whole is not None and len(whole.acts) > 1 and whole.score >= LIKELY:
         parted = compound(words, hearing) if any(word.broken for word in words[1:]) else None
         whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
     if whole is not None and whole.score >= LIKELY:
-        return _one(whole, hearing.listening)
+        return settled(whole, hearing.listening)
     for other in (corrected, compound):
         found = other(words, hearing)
         if found is not None and (whole is None or found.score > whole.score):
             whole = found
         if whole is not None and whole.score >= LIKELY:
             break
-    return None if whole is None else _one(whole, hearing.listening)
+    return None if whole is None else settled(whole, hearing.listening)
 
 
-def _one(parse: Parse, listening: Listening) -> Parse:
+def _mended(words: Words, hearing: Hearing) -> Parse | None:
+    """Return what a line means whose speaker took back a part of it."""
+    best: Parse | None = None
+    for line in mended(words, hearing):
+        parse = clause(line, hearing)
+        if parse is None or parse.score < LIKELY:
+            other = compound(line, hearing)
+            parse = other if other is not None and other.score >= LIKELY else parse
+        if parse is not None and (best is None or parse.score > best.score + 0.02):
+            best = parse
+    if best is None or best.score < NAMED or isinstance(best.acts[0], Unknown):
+        return None
+    return Parse(best.acts, min(best.score, SURE) - 0.04, "mended")
+
+
+def settled(parse: Parse, listening: Listening) -> Parse:
     """Drop a yes that only leads into the rest, and a no that answers nothing."""
     acts: tuple[TeacherAct, ...] = parse.acts
     if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
@@ -72,10 +97,16 @@ def _one(parse: Parse, listening: Listening) -> Parse:
         if listening.asked is None or (same is not None and isinstance(acts[1], same)):
             acts = acts[1:]
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
+    if any(isinstance(act, RepeatLine) for act in acts):
+        acts = tuple(act for act in acts if not isinstance(act, Again))
+    if listening.asked in _YES_OR_NO - {"ready"} and isinstance(acts[0], Affirm):
+        acts = acts[:1] + tuple(act for act in acts[1:] if not isinstance(act, Start | Resume))
     if listening.asked in _YES_OR_NO:
         acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
+    if any(isinstance(act, Resume) for act in acts):
+        acts = tuple(act for act in acts if not isinstance(act, Start | Undo))
     unique = tuple(dict.fromkeys(acts))
     if unique == (Unordered(),) and listening.stage == "practice":
         return Parse(unique, DOUBTFUL, parse.how)

@@ -31,6 +31,7 @@ from assistant.model.teacher_acts import (
 )
 
 _ASKING = frozenset(("is", "are", "was", "do", "does", "did", "has", "have"))
+_ASKING_WHY = frozenset(("what", "why", "how", "who", "where", "which"))
 _STATING = frozenset(
     [
         "there",
@@ -77,6 +78,8 @@ def explained(unexplained: int) -> float:
 def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     """Read "when you place it, a bit more left": a correction with where it belongs."""
     texts = texts_of(words)
+    if texts[0] in _ASKING_WHY and texts[1:2] not in (("if",), ("about",)):
+        return None
     where = hearing.book.where
     returning = {"back"} & set(texts) and {"when", "before", "until"} & set(texts)
     if returning and texts[0] in ("go", "back", "return", "get", "take"):
@@ -170,7 +173,9 @@ def _joined(
     if any(text in hearing.book.chat for text in texts):
         return None
     known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
-    if (weak and known is None and phrase != ("once",)) or _is_amount(texts, hearing):
+    told_step = any(text.endswith("ing") for text in texts)
+    vague = weak and known is None and phrase != ("once",) and not told_step
+    if vague or _is_amount(texts, hearing):
         return None
     for bare in bared(told, hearing.book):
         parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
@@ -191,8 +196,7 @@ def _place(words: Words, hearing: Hearing) -> Words:
     texts = texts_of(words)
     for phrase in hearing.book.where["subject"]:
         if len(phrase) < len(words) and texts[: len(phrase)] == phrase:
-            rest = words[len(phrase) :]
-            return rest[1:] if len(rest) > 1 and rest[0].text in ("the", "are", "is") else rest
+            return _place(words[len(phrase) :], hearing)
     return words
 
 

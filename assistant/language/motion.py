@@ -215,9 +215,28 @@ def _degree(tags: Sequence[Tag]) -> Degree | None:
     return "little" if "little" in found else "much"
 
 
-def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
+def degree_of(words: Sequence[str], book: Phrasebook) -> Degree | None:
+    """Return little or much, wherever it stands."""
+    return _degree(tags_of(words, book, frozenset()))
+
+
+def factor_of(words: Sequence[str], book: Phrasebook) -> float | None:
+    """Return the factor of the present speed that words tell, wherever it stands."""
+    tags = tags_of(words, book, frozenset())
+    quantity = next((t.quantity for t in tags if t.quantity and t.quantity.kind in _RATIOS), None)
+    if quantity is None:
+        return None
     pace = next((_PACES[tag.kind] for tag in tags if tag.kind in _PACES), None)
+    return _factor(quantity, pace or _pace_of_noun([tag.kind for tag in tags]), words)
+
+
+_RATIOS = ("ratio", "")
+
+
+def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
     kinds = [tag.kind for tag in tags]
+    pace = _told_pace(tags)
+    told = pace is not None
     if pace is None:
         pace, less = _pace_of_noun(kinds), "less" in kinds
         tags = tuple(tag for tag in tags if tag.kind != "less") if less else tags
@@ -228,14 +247,40 @@ def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
         return AdjustSpeed(factor=_factor(quantity, pace, words))
     if pace is None:
         return AdjustSpeed(factor=1.0) if "normal" in kinds else None
-    if _flipped(tags):
+    if not told and _flipped(tags):
         pace = OPPOSITE[pace]
     change = "faster" if pace == "faster" else "slower"
     return AdjustSpeed(change="faster" if change == "faster" else "slower", degree=_degree(tags))
 
 
+def _told_pace(tags: Sequence[Tag]) -> str | None:
+    """Return the pace that words tell, each by itself: "faster, too slow" is twice faster.
+
+    "Too", "not", "less" and a complaining "so" just before a word turn it round.
+    """
+    told: list[tuple[bool, str]] = []
+    for at, tag in enumerate(tags):
+        if tag.kind not in _PACES:
+            continue
+        before = [one.kind for one in tags[max(0, at - 4) : at]]
+        near = before[-2:] if "not" not in before else before
+        plain = tag.kind in ("fast", "slow") or tag.words in _ADJECTIVES
+        turned = bool({"too", "not", "less"} & set(near)) and "enough" not in [t.kind for t in tags]
+        turned = turned or (plain and at > 0 and tags[at - 1].words == ("so",))
+        pace = _PACES[tag.kind]
+        complained = turned or tag.kind in ("fast", "slow")
+        told.append((complained, OPPOSITE[pace] if turned else pace))
+    # What is asked for outright counts before what is complained of.
+    return min(told, key=lambda one: one[0])[1] if told else None
+
+
+_ADJECTIVES = frozenset((("slow",), ("quick",), ("fast",)))
+
+
 def _pace_of_noun(kinds: Sequence[str]) -> str | None:
     """Read "more speed", "speed is too high", "speed down"."""
+    if "too" in kinds and {"much", "little"} & set(kinds):
+        return "faster" if "much" in kinds else "slower"
     for kind in kinds:
         if kind in ("high", "up", "up-er", "raise", "more"):
             return "faster"

@@ -29,6 +29,7 @@ class NumberWords:
     ones: Mapping[str, int]
     tens: Mapping[str, int]
     also: Mapping[tuple[str, ...], float]
+    begun: Mapping[str, tuple[tuple[str, ...], ...]]
     ordinals: Mapping[str, int]
     fractions: Mapping[str, float]
     units: Mapping[str, tuple[Kind, float]]
@@ -43,10 +44,8 @@ class NumberWords:
         if at < len(words) and words[at] in self.minus:
             found = self.number(words, at + 1)
             return None if found is None else (-found[0], found[1])
-        phrase = next(
-            (p for p in self.also if len(p) > 1 and tuple(words[at : at + len(p)]) == p), None
-        )
-        found = None if phrase else self._fraction_of(words, at)
+        phrase = self._phrase(words, at)
+        found = None if phrase and len(phrase) > 1 else self._fraction_of(words, at)
         found = found or self._whole(words, at)
         return None if found is None else self._and_fraction(words, *found)
 
@@ -144,14 +143,19 @@ class NumberWords:
         return value, end
 
     def _whole(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
-        for phrase, value in self.also.items():
-            if tuple(words[at : at + len(phrase)]) == phrase:
-                return value, at + len(phrase)
+        phrase = self._phrase(words, at)
+        if phrase is not None:
+            return self.also[phrase], at + len(phrase)
         if at < len(words) and _DIGITS.match(words[at]):
             return self._digits(words, at)
         if at + 1 < len(words) and words[at] in self.points and words[at + 1] in self.ones:
             return self._and_fraction(words, 0.0, at)
         return self._spelled(words, at)
+
+    def _phrase(self, words: Sequence[str], at: int) -> tuple[str, ...] | None:
+        """Return the longest phrase for a number that begins at `at`: "half a dozen"."""
+        begun = self.begun.get(words[at], ()) if at < len(words) else ()
+        return next((p for p in begun if tuple(words[at : at + len(p)]) == p), None)
 
     def _digits(self, words: Sequence[str], at: int) -> tuple[float, int]:
         if at + 1 < len(words) and words[at + 1] in self.hundred:

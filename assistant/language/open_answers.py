@@ -167,7 +167,8 @@ def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:
         for at in range(len(texts) - len(phrase) - 1, 0, -1):
             behind = words[at + len(phrase) :]
             marked = words[at].broken or len(phrase) > 1
-            if texts[at : at + len(phrase)] == phrase and marked and behind:
+            kept = any(texts[at : at + len(k)] == k for k in hearing.book.not_taken_back)
+            if texts[at : at + len(phrase)] == phrase and marked and behind and not kept:
                 found = answer(behind, asked, hearing.book)
                 if found is not None:
                     return found

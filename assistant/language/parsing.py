@@ -10,7 +10,7 @@ from assistant.language.words import Word, Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import TeacherAct
 
-SURE, LIKELY, ACTING, GUESSED, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.8, 0.6, 0.4
+SURE, LIKELY, ACTING, GUESSED, NAMED, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.8, 0.78, 0.6, 0.4
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,6 +20,11 @@ class Parse:
     acts: tuple[TeacherAct, ...]
     score: float
     how: str = "sentence"
+
+    @property
+    def exact(self) -> bool:
+        """Whether it is one sentence of the phrasebook with nothing free in it."""
+        return self.how == "sentence" and len(self.acts) == 1 and self.score >= SURE
 
 
 @dataclass(frozen=True, slots=True)

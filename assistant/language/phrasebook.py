@@ -10,7 +10,15 @@ from typing import Any, cast
 
 from assistant.errors import BadInput
 from assistant.language.numbers import Kind, NumberWords
-from assistant.language.templates import Node, Reader, all_words, compiled, first_words
+from assistant.language.templates import (
+    Node,
+    Reader,
+    all_words,
+    compiled,
+    first_words,
+    has_slot,
+    needed_words,
+)
 from assistant.plain_yaml import read_file
 
 LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
@@ -29,6 +37,14 @@ class Sentence:
     asked: frozenset[str]
     extra: str
     template: str
+    needed: tuple[frozenset[str], ...]
+    only: frozenset[str] | None
+
+    def may_match(self, words: frozenset[str]) -> bool:
+        """Tell quickly whether words can match: all are the template's, and none it needs lacks."""
+        if self.only is not None and not words <= self.only:
+            return False
+        return not any(words.isdisjoint(one) for one in self.needed)
 
 
 @dataclass(frozen=True)
@@ -37,9 +53,12 @@ class Phrasebook:
 
     contractions: Mapping[str, Phrase]
     fillers: frozenset[Phrase]
+    vocatives: tuple[frozenset[Phrase], frozenset[Phrase]]
     opening: frozenset[Phrase]
     closing: frozenset[Phrase]
     correction: tuple[Phrase, ...]
+    contrary: tuple[frozenset[str], ...]
+    not_taken_back: tuple[Phrase, ...]
     numbers: NumberWords
     motion: Mapping[Phrase, str]
     where: Mapping[str, tuple[Phrase, ...]]
@@ -101,11 +120,19 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     vocabulary |= _phrase_words(_phrases(told))
     vocabulary |= {*numbers.ordinals, *_phrase_words(numbers.also)}
     return Phrasebook(
-        contractions={key: tuple(value.split()) for key, value in _pairs(book["contractions"])},
+        contractions={
+            key: tuple(value.split())
+            for key, value in _pairs(book.get("dialect", "") + book["contractions"])
+        },
         fillers=frozenset(_phrases(book["fillers"])),
+        vocatives=_vocatives(book["vocatives"]),
         opening=frozenset(opening),
         closing=frozenset(closing),
         correction=tuple(sorted(_phrases(book["correction"]), key=len, reverse=True)),
+        contrary=tuple(
+            frozenset(word for (word,) in _phrases(line)) for line in _lines(book["contrary"])
+        ),
+        not_taken_back=_longest_first(book["not_taken_back"]),
         numbers=numbers,
         motion=motion,
         where={name: _longest_first(told) for name, told in book["where"].items()},
@@ -156,6 +183,8 @@ def _sentences(
                 asked=frozenset(entry.get("asked", "").split()),
                 extra=extra,
                 template=line,
+                needed=needed_words(nodes),
+                only=None if has_slot(nodes) else frozenset(all_words(nodes)),
             )
 
 
@@ -181,7 +210,11 @@ def _numbers(told: Mapping[str, Any]) -> NumberWords:
     return NumberWords(
         ones=ones,
         tens=tens,
-        also=dict(sorted(also.items(), key=lambda item: -len(item[0]))),
+        also=also,
+        begun={
+            phrase[0]: tuple(sorted((p for p in also if p[0] == phrase[0]), key=len, reverse=True))
+            for phrase in also
+        },
         ordinals=ordinals,
         fractions={key: float(value) for key, value in _pairs(told["fractions"])},
         units=units,
@@ -218,6 +251,11 @@ def _turning(book: Mapping[str, Any]) -> set[str]:
     weak = {"at", "in", "for", "as", "once"}
     taken_back = {"sorry", "mean", "meant", "rather", "actually", "instead", "but", "if"}
     return {phrase[0] for phrases in told for phrase in phrases} - weak | taken_back
+
+
+def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
+    sure, others = _lines(text)
+    return frozenset(_phrases(sure)), frozenset(_phrases(f"{sure}, {others}"))
 
 
 def _single(text: str) -> frozenset[str]:

@@ -6,6 +6,7 @@ only by the one vocabulary word near it.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import lru_cache
 
@@ -76,6 +77,11 @@ _TYPOS = {
     "sto": "stop", "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open",
     "cls": "close", "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right",
     "ok": "ok", "yse": "yes", "eys": "yes", "ye": "yes", "og": "go", "pu": "up", "don": "done",
+    "wy": "why", "whi": "why", "cal": "call", "sve": "save", "sav": "save", "leter": "later",
+    "latr": "later", "les": "less", "mre": "more", "nxt": "next", "splt": "split",
+    "hepl": "help", "dwn": "down", "lats": "last", "hgh": "high", "opne": "open",
+    "colse": "close", "udno": "undo", "rde": "red", "fsat": "fast", "hadn": "hand", "yss": "yes",
+    "moer": "more", "letf": "left", "elft": "left", "rihgt": "right", "bck": "back",
     "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with",
     "jsut": "just", "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "ist": "is",
     "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
@@ -90,6 +96,47 @@ def _unstretched(text: str) -> str:
             kept += char
     single = "".join(char for at, char in enumerate(text) if at == 0 or text[at - 1] != char)
     return single if kept != text else text
+
+
+def rejoined(words: Words, book: Phrasebook) -> Words:
+    """Return the words with those put together that were heard apart: "lo her", "bee for"."""
+    found: list[Word] = []
+    at = 0
+    while at < len(words):
+        pair = words[at : at + 2]
+        whole = "".join(word.text for word in pair)
+        meant = ""
+        if len(pair) == 2 and whole.isalpha() and not pair[1].broken and len(whole) > _SHORTEST:
+            meant = _sounding(whole, book.vocabulary)
+        if meant:
+            found.append(Word(meant, " ".join(w.said for w in pair), words[at].broken))
+            at += 2
+        else:
+            found.append(words[at])
+            at += 1
+    return tuple(found)
+
+
+@lru_cache(maxsize=4096)
+def _sounding(text: str, known: frozenset[str]) -> str:
+    far = 1 if len(text) < 6 else 2
+    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=8)
+    sound = _sound(text)
+    alike = [
+        (distance, word) for word, distance, _ in near if len(word) > 3 and _sound(word) == sound
+    ]
+    return min(alike)[1] if alike else ""
+
+
+_SOUNDS = str.maketrans("cqgjzxdbv", "kkkksstpf")
+_SILENT = re.compile(r"[aeiouyhw]+")
+
+
+def _sound(word: str) -> str:
+    """Return the consonants of a word as they sound, doubled ones once."""
+    plain = word.replace("ph", "f").replace("gh", "").replace("ck", "k").translate(_SOUNDS)
+    bare = _SILENT.sub("", plain)
+    return "".join(char for at, char in enumerate(bare) if at == 0 or bare[at - 1] != char)
 
 
 def homophones(words: Words, book: Phrasebook) -> Words:

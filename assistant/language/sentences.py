@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from assistant.language.frames import frames
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import DOUBTFUL, LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase, Sentence
@@ -35,6 +36,7 @@ _NO_NAMES = (
 _BEFORE_NAMES = frozenset(
     ("of", "to", "on", "in", "think", "reckon", "suppose", "guess", "believe")
 )
+_ANSWERS = frozenset(("affirm", "deny"))
 _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 
 
@@ -51,8 +53,9 @@ def _best_sentence(words: Words, hearing: Hearing) -> Parse | None:
         return None
     best: tuple[tuple[float, ...], Parse] | None = None
     book = hearing.book
+    told = frozenset(texts)
     for sentence in (*book.by_first.get(texts[0], ()), *book.by_first[""]):
-        if not _applies(sentence, hearing.listening):
+        if not sentence.may_match(told) or not _applies(sentence, hearing.listening):
             continue
         for n, bound in enumerate(matches(sentence.nodes, texts)):
             parse = _parse(sentence, bound, words, hearing)
@@ -60,7 +63,9 @@ def _best_sentence(words: Words, hearing: Hearing) -> Parse | None:
                 free = sum(end - start for _, start, end in bound)
                 first = bound[0][2] - bound[0][1] if bound else 0
                 asked, staged = bool(sentence.asked), bool(sentence.stages)
-                key = (parse.score, asked, staged, -free, first)
+                # Nothing was asked: then "go for it" and "spot on" are more than a yes.
+                idle = hearing.listening.asked is None and sentence.act in _ANSWERS
+                key = (parse.score, asked, staged, not idle, -free, first)
                 if best is None or key > best[0]:
                     best = (key, parse)
             if n > 40 or not bound:
@@ -140,7 +145,7 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     """Return a slot's value and how far it can be trusted."""
     if len(words) > LONGEST_NAME:
         return None, 0.0
-    words = _trimmed(words, hearing)
+    words = _trimmed(words, hearing, new=limit == "new")
     bare = without_article(texts_of(words))
     part = words[len(words) - len(bare) :]
     if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
@@ -161,12 +166,18 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     return value, min(trust, 0.8) if names else trust
 
 
-def _trimmed(words: Words, hearing: Hearing) -> Words:
+def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
     """Take words no name begins or ends with off its ends: "of lifting", "gripping always"."""
     ends = hearing.book.impure
-    while len(words) > 1 and words[0].text in ends | _BEFORE_NAMES:
+    known = None if new else frames(hearing.language)
+    heads = (known.little["heads"] - _STEPS if known else frozenset()) | ends | _BEFORE_NAMES
+    tails = (known.little["tails"] - _STEPS if known else frozenset()) | ends
+    counted = hearing.book.numbers
+    while len(words) > 1 and words[0].text in heads and not counted.number(texts_of(words), 1):
         words = words[1:]
-    while len(words) > 1 and words[-1].text in ends:
+    while len(words) > 1 and words[-1].text in tails:
+        if words[-1].text == "one" and counted.ordinal(texts_of(words), len(words) - 2):
+            break
         words = words[:-1]
     return words
 

@@ -13,8 +13,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 
+from numpy.random import Generator
+
 from assistant.language.phrasebook import Phrase, Sentence, phrasebook
-from assistant.language.templates import Choice, Node, Phrases, Slot
+from assistant.language.templates import Choice, Node, Phrases, Slot, has_slot
 from assistant.model.listening import Listening
 
 MOST_EXAMPLES = 120
@@ -37,7 +39,7 @@ def examples(language: str) -> Examples:
     """Return the examples of a language, collected once."""
     found: dict[tuple[frozenset[str], str, str], Sentence] = {}
     for sentence in phrasebook(language).sentences:
-        if _has_slot(sentence.nodes) or sentence.act in ("affirm", "deny", "stop"):
+        if has_slot(sentence.nodes) or sentence.act in ("affirm", "deny", "stop"):
             continue
         for n, phrase in enumerate(_expanded(sentence.nodes)):
             phrase = tuple(map(_stem, phrase))
@@ -89,20 +91,40 @@ def _stem(word: str) -> str:
     return word
 
 
-def _has_slot(nodes: Sequence[Node]) -> bool:
-    return any(
-        isinstance(node, Slot)
-        or (isinstance(node, Choice) and any(_has_slot(way) for way in node.ways))
-        for node in nodes
-    )
-
-
 def _expanded(nodes: Sequence[Node]) -> Iterator[Phrase]:
     """Yield phrases a template stands for: each choice once, the others at their first."""
     firsts = tuple(next(iter(_ways(node))) for node in nodes)
     for at, node in enumerate(nodes):
         for way in _ways(node):
             yield tuple(word for part in (*firsts[:at], way, *firsts[at + 1 :]) for word in part)
+
+
+_NAMES = ("reaching", "moving up", "step two", "pouring", "grasp it", "tea making", "the lid")
+
+
+def spelled_out(language: str, rng: Generator) -> Iterator[tuple[str, Sentence]]:
+    """Yield sentences the templates stand for, some names in their slots."""
+    for sentence in phrasebook(language).sentences:
+        for n, phrase in enumerate(_expanded(_without_slots(sentence.nodes, rng))):
+            yield " ".join(phrase), sentence
+            if n >= MOST_EXAMPLES:
+                break
+
+
+def _without_slots(nodes: Sequence[Node], rng: Generator) -> tuple[Node, ...]:
+    found: list[Node] = []
+    for node in nodes:
+        if isinstance(node, Slot):
+            numbered = node.name in ("n", "nth")
+            told = (
+                {"n": "seven", "nth": "third"}[node.name] if numbered else str(rng.choice(_NAMES))
+            )
+            found.extend(told.split())
+        elif isinstance(node, Choice):
+            found.append(Choice(tuple(_without_slots(way, rng) for way in node.ways)))
+        else:
+            found.append(node)
+    return tuple(found)
 
 
 def _ways(node: Node) -> Iterator[Phrase]:

@@ -12,7 +12,7 @@ import unicodedata
 from rapidfuzz.distance import OSA
 
 _STOPS = {
-    "english": ("stop", "halt", "freeze", "whoa", "woah", "cease", "abort", "emergency"),
+    "english": ("stop", "halt", "freeze", "whoa", "woah", "cease", "abort", "emergency", "stahp"),
     "german": ("stop", "stopp", "halt", "anhalten", "aufhören", "abbrechen", "notaus", "nothalt"),
 }
 _PHRASES = (

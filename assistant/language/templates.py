@@ -200,6 +200,33 @@ def _empty(way: Sequence[Node]) -> bool:
     )
 
 
+def needed_words(nodes: Sequence[Node]) -> tuple[frozenset[str], ...]:
+    """Return sets of words of which a match holds one each; slots and what may miss need none."""
+    found: list[frozenset[str]] = []
+    for node in nodes:
+        if isinstance(node, str):
+            found.append(frozenset([node]))
+        elif isinstance(node, Phrases) and _END not in node.tree:
+            found.append(frozenset(_tree_words(node.tree)))
+        elif isinstance(node, Choice) and not any(_empty(way) or _free(way) for way in node.ways):
+            found.append(frozenset(all_words([node])))
+    return tuple(found)
+
+
+def _free(nodes: Sequence[Node]) -> bool:
+    """Tell whether a way may be matched by a slot alone."""
+    return not needed_words(nodes)
+
+
+def has_slot(nodes: Sequence[Node]) -> bool:
+    """Tell whether the teacher's own words stand anywhere in a template."""
+    return any(
+        isinstance(node, Slot)
+        or (isinstance(node, Choice) and any(has_slot(way) for way in node.ways))
+        for node in nodes
+    )
+
+
 def all_words(nodes: Sequence[Node]) -> set[str]:
     """Return every word that occurs in a template."""
     found: set[str] = set()

@@ -9,11 +9,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.language.answers import OPEN, trimmed
-from assistant.language.commands import command, plain_answer, unknown
+from assistant.language.commands import command, plain_answer, settled, unknown
+from assistant.language.confidence import Reading, sureness
+from assistant.language.fillers import without_fillers
 from assistant.language.guessing import guess, urgent
 from assistant.language.naming import known_name
 from assistant.language.open_answers import MOTION, answered
 from assistant.language.parsing import (
+    ACTING,
     DOUBTFUL,
     GUESS,
     LIKELY,
@@ -22,10 +25,12 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
-from assistant.language.phrasebook import Phrasebook, phrasebook
-from assistant.language.repair import homophones, respelled, without_slips
+from assistant.language.phrasebook import phrasebook
+from assistant.language.repair import homophones, rejoined, respelled, without_slips
+from assistant.language.seeking import chances_of
 from assistant.language.sentences import best_sentence
 from assistant.language.stopping import has_stop_word
+from assistant.language.weighing import weighed
 from assistant.language.words import Words, plain, spoken, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
@@ -50,25 +55,36 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
     language : str
         Name of the phrasebook.
     """
-    book = phrasebook(language)
     if listening.moving and has_stop_word(text, language):
         return Understanding((Stop(),), 1.0, plain(text))
+    reading = read(text, listening, language)
+    if not reading.words:
+        return Understanding((Unknown(),), 0.9, "")
+    score = sureness(reading)
+    if any(isinstance(act, Stop) for act in reading.parse.acts):
+        score = max(score, ACTING) if has_stop_word(text, language) else min(score, DOUBTFUL)
+    return Understanding(reading.parse.acts, round(score, 3), spoken(reading.heard))
+
+
+def read(text: str, listening: Listening, language: str = "english") -> Reading:
+    """Return what a line of text is read as, with what the reading was made from."""
+    book = phrasebook(language)
     hearing = Hearing(book, listening, language)
     heard_words = words_of(text, book.contractions)
-    if 0 < len(heard_words) <= 3:
-        short = best_sentence(heard_words, hearing)
-        if short is not None and short.score >= SURE and listening.asked not in OPEN:
-            return Understanding(short.acts, short.score, spoken(heard_words))
-    words = without_slips(_without_fillers(heard_words[:MOST_WORDS], book), book)
+    words = without_fillers(heard_words[:MOST_WORDS], listening.asked, book)
+    words = without_slips(words, book)
     if not words:
-        return Understanding((Unknown(),), 0.9, "")
+        return Reading(Parse((Unknown(),), LIKELY), words, words, {}, hearing)
     if listening.asked not in OPEN:
         words = _once(words)
-    heard, parse = _best(words, hearing)
-    score = parse.score
-    if any(isinstance(act, Stop) for act in parse.acts) and not has_stop_word(text, language):
-        score = min(score, DOUBTFUL)
-    return Understanding(parse.acts, round(score, 3), spoken(heard))
+    short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
+    if short is not None and short.score >= SURE and listening.asked not in OPEN:
+        heard, parse = heard_words, settled(short, listening)
+    else:
+        heard, parse = _best(words, hearing)
+    chances = chances_of(words, heard, hearing)
+    parse = weighed(parse, heard, chances, hearing)
+    return Reading(parse, words, heard, chances, hearing)
 
 
 def _once(words: Words) -> Words:
@@ -94,8 +110,9 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
         return heard, best
     counting = hearing.listening.asked == "subtask_count" and len(words) > 4
     sounded = words if counting else homophones(words, hearing.book)
+    joined = rejoined(words, hearing.book)
     for variant in dict.fromkeys(
-        (sounded, spelled, spelled if counting else homophones(spelled, hearing.book))
+        (sounded, spelled, joined, spelled if counting else homophones(spelled, hearing.book))
     ):
         if variant == words or best.score >= LIKELY:
             continue
@@ -143,8 +160,3 @@ def _named_part(words: Words, hearing: Hearing) -> Parse | None:
         return Parse((Optional(found),), SURE)
     text = " ".join(w.said for w in bare if w.said and w.text not in ("the", "a"))
     return Parse((Optional(text),), 0.7) if text else None
-
-
-def _without_fillers(words: Words, book: Phrasebook) -> Words:
-    kept = tuple(word for word in words if (word.text,) not in book.fillers)
-    return kept or words

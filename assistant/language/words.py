@@ -19,7 +19,8 @@ _SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.
 _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
     (0x2018, 0x2019, 0xB4, 0x60), "'"
 )
-# What follows "is" rather than an owner: "the job's called", "the block's too high".
+# What follows "is" rather than an owner: "the job's called", "the block's too high"; what
+# follows the owner after the name of a step: "pouring's end".
 _AFTER_IS = frozenset(
     [
         "called",
@@ -41,7 +42,25 @@ _AFTER_IS = frozenset(
         "over",
         "moving",
         "going",
+        "gotta",
+        "got",
+        "have",
+        "has",
+        "always",
+        "never",
+        "optional",
+        "required",
+        "way",
+        "really",
+        "so",
+        "gone",
+        "been",
+        "ended",
+        "finished",
     ]
+)
+_OWNED = frozenset(
+    ["end", "ending", "cut", "name", "finish", "boundary", "start", "beginning", "goal"]
 )
 MOST_CHARACTERS = 2000
 
@@ -124,9 +143,10 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     found: list[Word] = []
     for word in words:
         pair = f"{found[-1].text} {word.text}" if found and not word.broken else ""
-        if found and found[-1].text.endswith("'s") and word.text in _AFTER_IS:
+        if found and found[-1].text.endswith("'s") and _is_behind(found[-1], word):
             stem = found[-1].text.removesuffix("'s")
-            found[-1:] = [Word(stem, found[-1].said, found[-1].broken), Word("is", "")]
+            told = found[-1].said.removesuffix("'s")
+            found[-1:] = [Word(stem, told, found[-1].broken), Word("is", "'s")]
         if pair in contractions:
             first, *rest = contractions[pair]
             together = f"{found[-1].said} {word.said}"
@@ -137,9 +157,14 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     return tuple(found)
 
 
+def _is_behind(owner: Word, word: Word) -> bool:
+    step = owner.text.endswith("ing's") and word.text not in _OWNED
+    return step or word.text in _AFTER_IS
+
+
 def said(words: Sequence[Word]) -> str:
     """Return the words as the teacher said them."""
-    return " ".join(word.said for word in words if word.said)
+    return " ".join(word.said for word in words if word.said).replace(" 's", "'s").lstrip("' ")
 
 
 def told(words: Sequence[Word]) -> str:
@@ -149,7 +174,7 @@ def told(words: Sequence[Word]) -> str:
         for at, word in enumerate(words)
         if word.said
     ]
-    return "".join(parts).strip(" ,")
+    return "".join(parts).replace(" 's", "'s").strip(" ,")
 
 
 def spoken(words: Sequence[Word]) -> str:

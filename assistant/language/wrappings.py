@@ -11,15 +11,37 @@ from assistant.model.teacher_acts import Asked
 
 NAMES: frozenset[Asked] = frozenset(("task_name", "subtask_name", "which", "missing_step", "body"))
 _ARTICLES = frozenset(("a", "an", "the", "some", "one", "another", "my", "your", "our", "two"))
+_REFERRING = frozenset(("it", "that", "this", "itself", "es", "das"))
 LONGEST_NAME = 6
 
 
 def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
     """Return the words an answer is about; all of them if nothing shows which."""
     if asked in NAMES:
-        return _name(words, book)
-    if asked == "objects":
-        return _bodies(words, book)
+        return _name(_marked(words, book), book)
+    if asked in ("objects", "actions"):
+        words = _listed(words, book)
+    return _bodies(words, book) if asked == "objects" else words
+
+
+def _marked(words: Words, book: Phrasebook) -> Words:
+    """Return what follows the mark in "task name: cable routing"."""
+    nouns = {phrase[0] for phrase in book.wrapping["name_nouns"]}
+    cut = next((at for at in range(1, min(len(words), 6)) if words[at].broken), 0)
+    told = {word.text.removesuffix("'s") for word in words[:cut]} & nouns
+    return words[cut:] if told else words
+
+
+def _listed(words: Words, book: Phrasebook) -> Words:
+    """Return what follows "the objects in question are", or "objects:"."""
+    nouns = {phrase[0] for phrase in book.wrapping["list_nouns"]}
+    copulas = {phrase[0] for phrase in book.wrapping["copulas"]}
+    texts = _texts(words)
+    for at in range(1, min(len(words) - 1, 9)):
+        if words[at].broken and at < 5 and texts[at - 1] in nouns:
+            return words[at:]
+        if texts[at] in copulas and set(texts[:at]) & nouns and not words[at + 1].broken:
+            return words[at + 1 :]
     return words
 
 
@@ -45,7 +67,8 @@ def _after_anchor(words: Words, anchors: Sequence[Phrase]) -> Words:
     texts = _texts(words)
     for at in range(len(texts) - 1, 0, -1):
         for phrase in anchors:
-            if at >= len(phrase) and texts[at - len(phrase) : at] == phrase:
+            anchored = at >= len(phrase) and texts[at - len(phrase) : at] == phrase
+            if anchored and not set(texts[at:]) <= _REFERRING:
                 return words[at:]
     return words
 
@@ -59,7 +82,13 @@ def _unwrapped(words: Words, book: Phrasebook) -> Words:
             at = n + 1
         elif word.text not in ("a", "an", "the"):
             break
-    return words[at:]
+    return _without_noun(words[at:], book)
+
+
+def _without_noun(words: Words, book: Phrasebook) -> Words:
+    """Take a noun for tasks off the front: "sequence mat rolling"."""
+    nouns = {phrase[0] for phrase in book.wrapping["task_nouns"]}
+    return words[1:] if len(words) > 2 and words[0].text in nouns else words
 
 
 def _parts(words: Words) -> list[Words]:

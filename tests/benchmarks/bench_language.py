@@ -31,7 +31,10 @@ STAGES: dict[str, Stage] = {
     "l": "learning",
     "p": "practice",
 }
-FILES = ("tuning", *(f"tuning{number}" for number in range(2, 9)))
+FILES = (
+    *("tuning", *(f"tuning{number}" for number in range(2, 10))),
+    *("stress1", "stress2", "ways"),
+)
 SURE = 0.85
 
 

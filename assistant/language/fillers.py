@@ -1,0 +1,62 @@
+"""Words that carry nothing: hesitations anywhere, and whom one speaks to at either end."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.language.answers import LISTS, OPEN
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.words import Word, Words
+from assistant.model.teacher_acts import Asked
+
+_LONGEST = 7
+
+
+def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
+    """Return the words without fillers; all of them if nothing else is said.
+
+    A mark that stood before a filler stands before the next word.
+    """
+    kept: list[Word] = []
+    broken = False
+    at = 0
+    while at < len(words):
+        size = _filler(words, at, book)
+        if size:
+            broken = broken or any(word.broken for word in words[at : at + size])
+            at += size
+            continue
+        word = words[at]
+        kept.append(replace(word, broken=word.broken or (broken and bool(kept))))
+        broken = False
+        at += 1
+    return _unaddressed(tuple(kept) or words, asked, book)
+
+
+def _filler(words: Words, at: int, book: Phrasebook) -> int:
+    texts = tuple(word.text for word in words[at : at + _LONGEST])
+    return next((n for n in range(len(texts), 0, -1) if texts[:n] in book.fillers), 0)
+
+
+def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
+    """Take whom one speaks to off both ends: "mate, go left", "go left, dear"."""
+    known = book.vocatives[asked not in LISTS]
+    changed = True
+    while changed and len(words) > 1:
+        changed = False
+        for size in (3, 2, 1):
+            if len(words) <= size:
+                continue
+            head, tail = _texts(words[:size]), _texts(words[-size:])
+            if head in known and words[size].broken:
+                words, changed = words[size:], True
+                break
+            set_off = words[-size].broken or (asked not in OPEN and tail in book.vocatives[0])
+            if tail in known and set_off:
+                words, changed = words[:-size], True
+                break
+    return words
+
+
+def _texts(words: Words) -> Phrase:
+    return tuple(word.text for word in words)

@@ -1,0 +1,95 @@
+"""Lines whose speaker takes something back: "add it after cutting, no, I mean before cutting".
+
+What comes behind the mark of taking back replaces the end of what came before it: from the
+last word that is the same as its first word, or of the same kind (`Phrasebook.contrary`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from assistant.language.parsing import Hearing, texts_of
+from assistant.language.phrasebook import Phrase
+from assistant.language.words import Word, Words
+
+LONGEST_TAKEN_BACK = 12
+"""Words before the mark that may be replaced."""
+
+
+def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
+    """Yield the lines that may be left, the likeliest first."""
+    texts = texts_of(words)
+    marks, kept = hearing.book.correction, hearing.book.not_taken_back
+    for at in range(len(words) - 1, 0, -1):
+        phrase = next((one for one in marks if texts[at : at + len(one)] == one), None)
+        if phrase is None or any(texts[at : at + len(one)] == one for one in kept):
+            continue
+        at_end = at + len(phrase) == len(words)
+        if not (words[at].broken or len(phrase) > 1 or at_end):
+            continue
+        before, behind = words[:at], _without_marks(words[at + len(phrase) :], marks)
+        before = _without_marks_behind(before, marks)
+        if not before:
+            continue
+        if behind:
+            yield from _replaced(before, behind, hearing)
+        elif any(word.broken for word in before[1:]):
+            cut = max(n for n in range(1, len(before)) if before[n].broken)
+            yield from _replaced(before[:cut], before[cut:], hearing)
+
+
+def _without_marks(words: Words, marks: Sequence[Phrase]) -> Words:
+    """Take further marks off the front, and one off the end: "sorry, slower I meant"."""
+    texts = texts_of(words)
+    for phrase in marks:
+        size = len(phrase)
+        if len(words) > size and texts[:size] == phrase:
+            return _without_marks(words[size:], marks)
+        if len(words) > size and texts[-size:] == phrase:
+            return _without_marks(words[:-size], marks)
+    return words
+
+
+def _without_marks_behind(words: Words, marks: Sequence[Phrase]) -> Words:
+    texts = texts_of(words)
+    for phrase in marks:
+        if len(words) > len(phrase) and texts[-len(phrase) :] == phrase:
+            return _without_marks_behind(words[: -len(phrase)], marks)
+    return words
+
+
+def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]:
+    first = behind[0]
+    amount = _amount(before, hearing)
+    if amount and not _amount(behind, hearing):
+        yield (*amount, *behind)
+    least = max(-1, len(before) - 1 - LONGEST_TAKEN_BACK)
+    for at in range(len(before) - 1, least, -1):
+        if _alike(before[at], first, hearing):
+            yield (*before[:at], _unbroken(first, before[at]), *behind[1:])
+    yield behind
+
+
+def _amount(words: Words, hearing: Hearing) -> Words:
+    """Return how far or how much was told, which holds unless it is told again."""
+    texts, numbers = texts_of(words), hearing.book.numbers
+    for at in range(len(words)):
+        found = numbers.quantity(texts, at)
+        if found is not None and found.kind in ("m", "deg"):
+            return words[at : found.end]
+    return ()
+
+
+def _unbroken(word: Word, place: Word) -> Word:
+    return Word(word.text, word.said, place.broken)
+
+
+def _alike(old: Word, new: Word, hearing: Hearing) -> bool:
+    if old.text == new.text:
+        return True
+    book = hearing.book
+    if any(old.text in group and new.text in group for group in book.contrary):
+        return True
+    counted = book.numbers
+    number = counted.number((old.text,), 0) and counted.number((new.text,), 0)
+    return bool(number or (counted.ordinal((old.text,), 0) and counted.ordinal((new.text,), 0)))

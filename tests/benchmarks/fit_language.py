@@ -1,0 +1,175 @@
+"""Fit the model of which act words tell, and print how well it knows speakers it has not seen.
+
+run: python -m tests.benchmarks.fit_language [--write] [--show] [CORPUS to withhold ...]
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import minimize
+from scipy.sparse import csr_matrix
+
+from assistant.language import likelihood
+from assistant.language.phrasebook import LANGUAGES, phrasebook
+from assistant.language.repair import respelled
+from assistant.language.similarity import spelled_out
+from assistant.language.words import words_of
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import STAGES
+from tests.benchmarks.bench_language import FILES, SURE, rows
+
+_PENALTY = 0.3
+_SPEAKER = 1.0
+_TEMPLATE = 0.35
+
+
+@dataclass(frozen=True)
+class Example:
+    """Words with the labels they stand for, and how much they count."""
+
+    speaker: str
+    text: str
+    listening: Listening
+    labels: tuple[str, ...]
+    weight: float
+
+
+def spoken(files: Iterable[str]) -> Iterator[Example]:
+    """Yield the sentences of corpora."""
+    for file in files:
+        for row in rows(file if file.endswith(".yaml") else f"{file}.yaml"):
+            labels = tuple(
+                dict.fromkeys(
+                    likelihood.label(act["act"], {k: _whole(v) for k, v in act.items()})
+                    for act in row.acts
+                )
+            )
+            yield Example(f"{file}/{row.speaker}", row.text, row.listening, labels, _SPEAKER)
+
+
+def _whole(value: Any) -> Any:
+    return int(value) if isinstance(value, float) and value.is_integer() else value
+
+
+def written(language: str) -> Iterator[Example]:
+    """Yield what the phrasebook's templates stand for, each template counting little."""
+    rng = np.random.default_rng(5)
+    for text, sentence in spelled_out(language, rng):
+        stages: list[Any] = sorted(sentence.stages) or list(STAGES)
+        asked: list[Any] = sorted(sentence.asked - {"none"}) or [None]
+        slots = dict(sentence.slots)
+        if sentence.extra == "number":
+            slots["which"] = 2
+        told = likelihood.label(sentence.act, slots)
+        stage, question = rng.integers(len(stages)), rng.integers(len(asked))
+        where = Listening(stage=stages[stage], asked=asked[question])
+        yield Example("phrasebook", text, where, (told,), _TEMPLATE)
+
+
+def matrix(examples: Sequence[Example], language: str) -> csr_matrix:
+    """Return the features of examples, one row each."""
+    book = phrasebook(language)
+    at, columns = [0], list[int]()
+    values: list[float] = []
+    for one in examples:
+        words = words_of(one.text, book.contractions)
+        told = likelihood.features(
+            tuple(w.text for w in words),
+            tuple(w.text for w in respelled(words, book, ())),
+            one.listening,
+            language,
+        )
+        columns.extend(crc32(f.encode()) % likelihood.BUCKETS for f in told)
+        values.extend(likelihood.scales(told).tolist())
+        at.append(len(columns))
+    shape = (len(examples), likelihood.BUCKETS)
+    return csr_matrix((np.array(values), np.array(columns), np.array(at)), shape=shape)
+
+
+def fitted(
+    features: csr_matrix, targets: NDArray[np.float64], weights: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the weights of a multinomial logistic regression with a ridge penalty."""
+    size = features.shape[1], targets.shape[1]
+
+    def loss(flat: NDArray[np.float64]) -> tuple[float, NDArray[np.float64]]:
+        told = flat.reshape(size)
+        scores = features @ told
+        scores -= scores.max(axis=1, keepdims=True)
+        odds = np.exp(scores)
+        odds /= odds.sum(axis=1, keepdims=True)
+        missed = -(weights[:, None] * targets * np.log(odds + 1e-12)).sum()
+        slope = features.T @ (weights[:, None] * (odds - targets)) + _PENALTY * told
+        return float(missed + _PENALTY * (told**2).sum() / 2), slope.ravel()
+
+    start = np.zeros(size[0] * size[1])
+    found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 120})
+    return np.asarray(found.x).reshape(size)
+
+
+def targets(examples: Sequence[Example], labels: Sequence[str]) -> NDArray[np.float64]:
+    """Return the labels of examples, a row of shares each."""
+    place = {one: at for at, one in enumerate(labels)}
+    found = np.zeros((len(examples), len(labels)))
+    for row, one in enumerate(examples):
+        for told in one.labels:
+            found[row, place[told]] = 1 / len(one.labels)
+    return found
+
+
+def told_by(weights: NDArray[np.float64], examples: Sequence[Example]) -> NDArray[np.float64]:
+    """Return the probability of each label for each example."""
+    scores = matrix(examples, "english") @ weights
+    odds = np.exp(scores - scores.max(axis=1, keepdims=True))
+    return np.asarray(odds / odds.sum(axis=1, keepdims=True))
+
+
+def report(weights: NDArray[np.float64], unseen: Sequence[Example], labels: Sequence[str]) -> None:
+    """Print how well acts of sentences that were not learned from are known."""
+    odds = told_by(weights, unseen)
+    best = [labels[at] for at in odds.argmax(axis=1)]
+    acts = [{told.split()[0] for told in one.labels} for one in unseen]
+    right = np.array([one.split()[0] in told for one, told in zip(best, acts, strict=True)])
+    sure = odds.max(axis=1) > SURE
+    wrong = (sure & ~right).mean()
+    print(f"acts right {right.mean():.3f}, sure {sure.mean():.2f}, sure and wrong {wrong:.4f}")
+    if "--show" in sys.argv:
+        for one, told, good in zip(unseen, best, right, strict=True):
+            if not good:
+                print(f"  {one.text!r} [{one.listening.asked}]: {one.labels}, not {told}")
+
+
+def write(weights: NDArray[np.float64], labels: Sequence[str]) -> None:
+    """Write the weights in steps of a 127th of the largest."""
+    scale = float(np.abs(weights).max() / 127)
+    path = Path(likelihood.__file__).parent / LANGUAGES["english"] / "likelihood.npz"
+    steps = np.round(weights / scale).astype(np.int8)
+    np.savez_compressed(path, labels=np.array(labels), weights=steps, scale=scale)
+    print(f"{path.name}: {path.stat().st_size} bytes")
+
+
+def main() -> None:
+    """Fit on all corpora but those named, and print how well these are known."""
+    tested = [one for one in sys.argv[1:] if not one.startswith("-")]
+    learned = [*spoken(one for one in FILES if one not in tested), *written("english")]
+    unseen = list(spoken(tested))
+    labels = sorted({told for one in [*learned, *unseen] for told in one.labels})
+    weights = np.array([one.weight for one in learned])
+    print(f"{len(learned)} examples, {len(labels)} labels")
+    told = fitted(matrix(learned, "english"), targets(learned, labels), weights)
+    if unseen:
+        report(told, unseen, labels)
+    if "--write" in sys.argv:
+        write(told, labels)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,44 @@
+from typing import Any
+
+import pytest
+
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import act_to_json
+
+
+@pytest.mark.parametrize(
+    ("text", "stage", "asked", "act"),
+    [
+        ("rdy", "demonstration", "ready", {"act": "affirm"}),
+        ("go home", "introduction", None, {"act": "unknown"}),
+        ("Yes, you may leave it out", "introduction", "optional", {"act": "affirm"}),
+        ("let go of it", "introduction", "subtask_name",
+         {"act": "inform", "value": "let go of it"}),
+        ("stop before placing", "practice", None, {"act": "unknown"}),
+        ("stop before step three", "practice", None, {"act": "unknown"}),
+        ("stop before you hit it", "practice", None, {"act": "stop"}),
+        ("faster, too slow", "practice", None, {"act": "adjust_speed", "change": "faster"}),
+        ("too much velocity", "practice", None, {"act": "adjust_speed", "change": "slower"}),
+        ("grouting is not obligatory", "learning", None,
+         {"act": "optional", "subtask": "grouting"}),
+        ("task name: cable routing", "introduction", "task_name",
+         {"act": "inform", "value": "cable routing"}),
+        ("the objects in question are a stamp and an ink pad", "introduction", "objects",
+         {"act": "inform", "value": ["stamp", "ink pad"]}),
+        ("stacking's done afore sweeping", "introduction", "order",
+         {"act": "ordered", "first": "stacking", "second": "sweeping"}),
+        ("refactor: rename clipping to fastening", "learning", None,
+         {"act": "rename", "old": "clipping", "new": "fastening"}),
+        ("twisting can be left out if the pencil is already sharp", "learning", None,
+         {"act": "optional", "subtask": "twisting"}),
+        ("a bit lo her", "practice", None,
+         {"act": "translate", "direction": "down", "degree": "little"}),
+        ("haud on a minute", "practice", None, {"act": "pause"}),
+    ],
+)  # fmt: skip
+def test_kinds_of_sentences_once_misunderstood(
+    text: str, stage: Any, asked: Any, act: dict[str, Any]
+) -> None:
+    meant = understand(text, Listening(stage=stage, asked=asked))
+    assert [act_to_json(one) for one in meant.acts] == [act]

@@ -1,0 +1,56 @@
+from typing import Any
+
+import pytest
+
+from assistant.language.understanding import understand
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import act_to_json
+
+
+@pytest.mark.parametrize(
+    ("text", "stage", "acts"),
+    [
+        (
+            "add spreading after cutting, no, I mean before cutting",
+            "introduction",
+            [{"act": "add_subtask", "name": "spreading", "before": "cutting"}],
+        ),
+        (
+            "spreading ends at 6, correction, at 6.5 seconds",
+            "learning",
+            [{"act": "move_cut", "subtask": "spreading", "at_s": 6.5}],
+        ),
+        (
+            "before cutting, sorry, after cutting, move up a little",
+            "practice",
+            [
+                {
+                    "act": "translate",
+                    "direction": "up",
+                    "degree": "little",
+                    "where": {"subtask": "cutting", "when": "after"},
+                }
+            ],
+        ),
+        ("save it as breakfast, no, as brunch", "practice", [{"act": "save", "name": "brunch"}]),
+        (
+            "faster, sorry, slower I meant",
+            "practice",
+            [{"act": "adjust_speed", "change": "slower"}],
+        ),
+        ("more, er, less I mean", "practice", [{"act": "adjust_last", "change": "less"}]),
+        (
+            "left, no wait, right",
+            "practice",
+            [{"act": "translate", "direction": "right"}],
+        ),
+    ],
+)
+def test_what_was_taken_back_is_replaced(text: str, stage: Any, acts: list[dict[str, Any]]) -> None:
+    meant = understand(text, Listening(stage=stage))
+    assert [act_to_json(act) for act in meant.acts] == acts
+
+
+def test_no_more_takes_nothing_back() -> None:
+    meant = understand("five steps, no more, no less", Listening(asked="subtask_count"))
+    assert [act_to_json(act) for act in meant.acts] == [{"act": "inform", "value": 5}]
