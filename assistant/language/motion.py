@@ -44,6 +44,7 @@ _WAYS = {
 }
 _PACES = {"faster": "faster", "fast": "faster", "slower": "slower", "slow": "slower"}
 LONGEST_PHRASE = 5
+_ADJECTIVES = frozenset((("slow",), ("quick",), ("fast",)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -272,9 +273,6 @@ def _told_pace(tags: Sequence[Tag]) -> str | None:
         told.append((complained, OPPOSITE[pace] if turned else pace))
     # What is asked for outright counts before what is complained of.
     return min(told, key=lambda one: one[0])[1] if told else None
-
-
-_ADJECTIVES = frozenset((("slow",), ("quick",), ("fast",)))
 
 
 def _pace_of_noun(kinds: Sequence[str]) -> str | None:
