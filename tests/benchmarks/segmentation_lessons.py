@@ -56,14 +56,16 @@ def steps_named(shows: list[Shown]) -> str:
 
     A step that was shown counts as named if the question tells a time within it.
     """
-    unheard = unseen = 0
+    unheard = unseen = left_out = 0
     for k, shown in enumerate(shows):
         short = other_length(shown, k, longer=False)
         told = {leaf.name for leaf in primitives(short.task.tree)}
-        at = next(i for i, name in enumerate(shown.names) if name not in told)
+        # A recording may end before the step that is left out of the tree.
+        at = next((i for i, name in enumerate(shown.names) if name not in told), None)
+        left_out += at is not None
         edges = [0.0, *shown.cuts_s, float(shown.demonstration.recording.t_s[-1])]
         for question in ours(short).questions:
-            if question.reason == "never_introduced":
+            if at is not None and question.reason == "never_introduced":
                 a, b = (float(str(question.facts[key])) for key in ("from_s", "to_s"))
                 if max(a, edges[at]) < 0.5 * (a + b) < min(b, edges[at + 1]):
                     unheard += 1
@@ -73,4 +75,4 @@ def steps_named(shows: list[Shown]) -> str:
             one.reason == "never_shown" and one.about == "one too many"
             for one in ours(long).questions
         )
-    return f"never introduced {unheard}/{len(shows)}, never shown {unseen}/{len(shows)}"
+    return f"never introduced {unheard}/{left_out}, never shown {unseen}/{len(shows)}"
