@@ -46,7 +46,9 @@ class Tally:
         missed = what == "missed"
         counts = (share(sum(one) if not missed else one.count(False), len(one)) for one in told)
         spotter, recognizer, both = counts
-        late = f"{statistics.median(self.late_s):+.2f} s" if self.late_s and missed else ""
+        # Noise hides where a word ends.
+        clear = missed and " dB " not in kind
+        late = f"{statistics.median(self.late_s):+.2f} s" if self.late_s and clear else ""
         return f"{kind:<22}{what:<8}{spotter:<26}{recognizer:<26}{both:<26}{late}"
 
 

@@ -22,6 +22,7 @@ from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
     FAINT,
+    SURE,
     Heard,
     Reading,
     as_heard,
@@ -97,22 +98,36 @@ class Hearing:
         samples = _long_enough(near_by.samples)
         readings: list[Reading] = []
         for recognizer in self._recognizers:
-            # Commands expected now are weighed where that can be done; names are hinted at.
-            told = isinstance(recognizer, Weigher) and listening.asked not in OPEN
-            found = recognizer.recognize(samples, hot_words(listening, () if told else phrases))
-            others = recognizer is not self._recognizers[-1]
-            weight = QUICK if others else 1.0
+            found = recognizer.recognize(samples, hot_words(listening, phrases))
+            last = recognizer is self._recognizers[-1]
+            weight = 1.0 if last else QUICK
             read = [self._read(one, weight, recognizer.name, listening) for one in found]
             clear = near_by.clear_db >= CLEAR_DB
-            if others and clear and read and trusted(read[0], listening):
+            if not last and clear and read and trusted(read[0], listening):
                 return as_heard(read[0], 1.0)
             readings += read
+        return self._settled(samples, near_by.speech_s, readings, phrases, listening)
+
+    def _settled(
+        self,
+        samples: Samples,
+        speech_s: float,
+        readings: Sequence[Reading],
+        phrases: Sequence[str],
+        listening: Listening,
+    ) -> Heard:
+        """Return what all readings come to."""
         if listening.moving and any(has_stop_word(one.text, self._language) for one in readings):
             # While the arm moves any reading may stop it: a stop for nothing costs little.
             return Heard("stop", Understanding((Stop(),), 1.0, "stop"))
+        # Names are hinted at: there the readings themselves vote first. Numbers are few.
+        free = listening.asked in OPEN and listening.asked != "subtask_count"
+        named = voted(readings, phrases) if free else None
+        if named is not None and named.understanding.confidence >= SURE:
+            return named
         slow = self._recognizers[-1]
         if isinstance(slow, Weigher) and readings:
-            return self._weighed(slow, samples, near_by.speech_s, readings, phrases, listening)
+            return self._weighed(slow, samples, speech_s, readings, phrases, listening)
         return voted(readings, phrases) or self._by_sound(readings, phrases, listening)
 
     def _weighed(

@@ -32,7 +32,7 @@ WINDOW, SPARE, LONGEST = 1000, 100, 3000
 """Frames looked at: ten seconds, or a second more than was said; never the half minute the model
 was made for, five sixths of which would be spent on silence. Readings stay the same."""
 LEAST = 1e-9
-AT_ONCE = 12
+AT_ONCE = 4
 """Phrases weighed at once: more are no quicker and take memory."""
 FEWEST_LETTERS = 3
 """So many letters on end are a word that is spelled."""

@@ -137,7 +137,7 @@ def test_two_likely_meanings_are_asked_about() -> None:
 
 @pytest.mark.voice
 def test_a_name_is_mended_if_that_explains_the_sound() -> None:
-    slow = Weighs({"please object": -3.0, "place object": -3.5}, ("please object", 0.9))
+    slow = Weighs({"please object": -3.0, "place object": -3.5}, ("please object", 0.3))
     one = heard(Reads(("pleas object", 1.0)), slow, NAMING)
     assert one.understanding.acts == (Inform("place object"),)
 
