@@ -196,7 +196,7 @@ class Worker:
         path = Path(wanted.learned)
         self._wanted = wanted
         self._task = read_task(path)
-        if self._task.learned is None or self._task.learned.path is None:
+        if self._task.learned is None:
             raise BadInput.one(wanted.learned, "nothing was learned for this task yet")
         self._scene = fitting_scene(self._task, path, wanted.scene)
         self._plan = plan_adaptation(self._task)

@@ -92,7 +92,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     WorkFailed
         If the task has not been learned, or its demonstration did not record the hand.
     """
-    lesson, learned = _learned(task)
+    lesson, learned = carried_out(task)
     settings, stations = settings or BlendingSettings(), lesson.stations
     path = np.hstack([learned.path[:, :3], quat_continuous(learned.path[:, 3:])])
     held, ends_with_start = held_stretches(path[:, :3], stations, settings)
@@ -130,7 +130,14 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     )
 
 
-def _learned(task: Task) -> tuple[Lesson, LearnedPath]:
+def carried_out(task: Task) -> tuple[Lesson, LearnedPath]:
+    """Return what a task has learned, with the path that carries it out.
+
+    Raises
+    ------
+    WorkFailed
+        If it has not been learned, or its demonstration did not record the hand.
+    """
     lesson = task.learned
     if lesson is None:
         raise WorkFailed(f"{task.name!r} has not been learned yet; demonstrate it first")

@@ -12,6 +12,7 @@ from assistant.errors import BadInput
 from assistant.geometry import Array
 from assistant.language.speech import phrase
 from assistant.learning.adaptation import AdaptationPlan, adapt, plan_adaptation
+from assistant.learning.preparing import carried_out
 from assistant.model.motion import Alignment, ArmReport, JointPath, Refusal
 from assistant.model.placing import alignments
 from assistant.model.scene import Scene
@@ -113,6 +114,8 @@ def practice_setup(
     ------
     BadInput
         If nothing was learned yet, or something needed has no place.
+    WorkFailed
+        If the demonstration did not record the hand.
     """
     begun_s = clock.now_s() if clock else 0.0
     check_placed(task, setup)
@@ -131,9 +134,9 @@ def practice_setup(
 
 def check_placed(task: Task, setup: Setup) -> None:
     """Refuse a task that was not learned, and a setup that lacks a place it needs."""
-    if task.learned is None or task.learned.path is None:
+    if task.learned is None:
         raise BadInput.one(task.name, "nothing was learned for this task yet", "learn or teach it")
-    stations = task.learned.stations
+    stations = carried_out(task)[0].stations
     needed = dict.fromkeys(name for stop in stations for name in (stop.object, stop.frame) if name)
     missing = [name for name in needed if name not in setup.places]
     if missing:

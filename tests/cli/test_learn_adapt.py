@@ -110,6 +110,28 @@ def test_without_a_gripper_docking_is_absent_and_asked_about(
     assert line["segmentation_points_s"]
 
 
+def test_what_was_cut_without_a_gripper_is_written_and_tells_why_it_is_not_carried_out(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_demonstration(demonstration(gripper=False), folder / "blind.yaml")
+    learned, setups = str(folder / "learned.yaml"), str(folder / "setups.yaml")
+    words = ["learn", str(folder / "blind.yaml"), "--task", str(folder / "tree.yaml")]
+    assert main([*words, "-o", learned, "--json"]) == 0
+    (line,) = told(capsys)
+    lesson = read_task(Path(learned)).learned
+    assert lesson is not None
+    assert lesson.path is None
+    assert np.allclose(lesson.segmentation.cuts_s, np.array(line["segmentation_points_s"]))
+    assert main(["check", learned]) == 0
+    for verb in (
+        ["adapt", learned, "--setup", setups],
+        ["practice", learned, "--setup", setups, "--dry-run"],
+        ["evaluate", learned, "--setups", "1", "--seed", "0"],
+    ):
+        assert main(verb) == 1
+        assert "gripper_m" in capsys.readouterr().err
+
+
 def test_a_hand_that_never_closes_ends_with_1(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
