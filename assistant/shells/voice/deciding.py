@@ -109,8 +109,12 @@ class Reading:
     @property
     def kind(self) -> tuple[object, ...]:
         """What readings with the same meaning share; free words are one meaning."""
-        numbers = any(isinstance(getattr(act, "value", ""), int) for act in self.acts)
-        return ("answers",) if self._answers and not numbers else self.acts
+        return ("answers",) if self._answers and not self.numbers else self.acts
+
+    @property
+    def numbers(self) -> bool:
+        """Whether it answers with a number."""
+        return any(isinstance(getattr(act, "value", ""), int) for act in self.acts)
 
     @property
     def commands(self) -> bool:
@@ -132,20 +136,23 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     """
     read = [Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
     votes: dict[tuple[object, ...], float] = {}
-    for one, candidate in zip(read, found, strict=False):
-        askable = candidate.expected or one.meant.confidence >= ASKABLE
+    for one, known in zip(read, found, strict=False):
+        askable = known.expected or one.meant.confidence >= ASKABLE
         if askable and not is_unknown(one.meant):
             votes[one.kind] = votes.get(one.kind, 0.0) + one.weight
     acted = max(votes, key=lambda one: votes[one], default=None)
     if acted is None or votes[acted] < ASK_SHARE:
         return nothing_heard(read[0].text)
     chosen = next(one for one in read if one.kind == acted)
-    fit = next(one.fit for one in found if one.text == chosen.text)
+    candidate = next(one for one in found if one.text == chosen.text)
+    fit = candidate.fit
     worst = -(WORST + WORST_WORD * len(chosen.text.split()))
     if fit < worst - HOPELESS:
         return nothing_heard(chosen.text)
     well = fit >= worst and votes[acted] >= SURE_SHARE
-    sure = well and (chosen.commands or chosen.meant.confidence < SURE)
+    # A number nobody would expect is asked about.
+    usual = candidate.expected or not chosen.numbers
+    sure = well and usual and (chosen.commands or chosen.meant.confidence < SURE)
     return as_heard(chosen, 1.0 if sure else DOUBT)
 
 

@@ -123,7 +123,8 @@ class Hearing:
         # Names are hinted at: there the readings themselves vote first. Numbers are few.
         free = listening.asked in OPEN and listening.asked != "subtask_count"
         named = voted(readings, phrases) if free else None
-        if named is not None and named.understanding.confidence >= SURE:
+        sure = named is not None and named.understanding.confidence >= SURE
+        if named is not None and sure and not mended(named.text, _teaching(listening)):
             return named
         slow = self._recognizers[-1]
         if isinstance(slow, Weigher) and readings:
@@ -146,7 +147,7 @@ class Hearing:
             text
             for one in [*known][:ALIKE_TO]
             if listening.asked in OPEN
-            for text in mended(one, (*TEACHING, *" ".join(listening.objects).split()))
+            for text in mended(one, _teaching(listening))
         )
         texts = (*known, *phrases, *mends, *self._alike([*known][:ALIKE_TO]))
         texts = tuple(
@@ -212,6 +213,10 @@ def hot_words(listening: Listening, phrases: Sequence[str]) -> tuple[str, ...]:
     """Return what the recognizer should expect: the task's names first, then phrases."""
     names = (listening.task, *listening.objects, *listening.subtasks)
     return tuple(dict.fromkeys(name for name in (*names, *phrases) if name))[:60]
+
+
+def _teaching(listening: Listening) -> tuple[str, ...]:
+    return (*TEACHING, *" ".join(listening.objects).split())
 
 
 def _long_enough(samples: Samples) -> Samples:

@@ -143,6 +143,14 @@ def test_a_name_is_mended_if_that_explains_the_sound() -> None:
 
 
 @pytest.mark.voice
+def test_an_unusual_number_is_asked_about() -> None:
+    asked = Listening(stage="introduction", asked="subtask_count")
+    one = heard(Reads(("ten", 1.0)), Weighs({"ten": -1.0}, ("ten", 0.9)), asked)
+    assert one.understanding.acts == (Inform(10),)
+    assert one.understanding.confidence < SURE
+
+
+@pytest.mark.voice
 def test_numbers_that_sound_alike_are_asked_about() -> None:
     asked = Listening(stage="introduction", asked="subtask_count")
     slow = Weighs({"two": -2.0, "three": -2.2}, ("tea", 0.5))
