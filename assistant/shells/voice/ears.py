@@ -18,7 +18,7 @@ from assistant.language.stopping import has_stop_word
 from assistant.model.listening import Listening
 from assistant.session.loop import Session
 from assistant.shells.beside import Words
-from assistant.shells.voice.deciding import Heard, is_unknown
+from assistant.shells.voice.deciding import DOUBT, Heard, is_unknown
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, Utterance
 from assistant.shells.voice.sound import Samples
 
@@ -176,7 +176,9 @@ class Ears:
         if spotted and has_stop_word(words, self._session.language):
             return
         self._session.raw(words)
-        sure = heard.understanding.confidence
+        # Words that were weighed and found to mean nothing are not to be taken for something.
+        unknown = is_unknown(heard.understanding)
+        sure = min(heard.understanding.confidence, DOUBT if unknown else 1.0)
         self._give(Words(words, sure, self.now_s - utterance.speech_from_s))
 
     def _is_own(self, words: str, talked_over: bool) -> bool:

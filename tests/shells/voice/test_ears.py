@@ -113,6 +113,17 @@ def test_words_come_with_how_surely_and_how_long_ago(beside: bool) -> None:
     assert 0.6 + 0.4 <= words.ago_s <= 0.6 + 0.8 + FRAME_S
 
 
+def test_what_was_found_to_mean_nothing_is_not_taken_for_something() -> None:
+    class Doubts(Says):
+        def hear(self, samples: Samples, listening: Listening) -> Heard:
+            return Heard(self.words, Understanding((Unknown(),), 0.85, self.words))
+
+    taken: list[Words] = []
+    ears = Ears(cast("Session", Room()), taken.append, Endpointer(loudness), Doubts("ten"))
+    ears.listen(frames(*UTTERANCE), beside=False)
+    assert [words.sure < 0.85 for words in taken] == [True]
+
+
 def test_silence_is_no_utterance() -> None:
     assert hear(Room(), "slower", frames((2.0, 0.0))) == []
 
