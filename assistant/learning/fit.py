@@ -96,7 +96,7 @@ def fits(
         for known in task.objects
     }
     scores = [
-        _character(leaf, between, seen, settings)
+        _character(leaf, task, between, seen, settings)
         + _events(leaf, task, between, seen, told, settings)
         + _objects(leaf, {} if leaf.name in moved else places, between, settings)
         + _elsewhere(leaf, {} if leaf.name in moved else places, alike, between, settings)
@@ -153,7 +153,7 @@ def _in_order(task: Task, role: str) -> list[str]:
 
 
 def _character(
-    leaf: Primitive, between: Stretches, seen: bool, settings: SegmentationSettings
+    leaf: Primitive, task: Task, between: Stretches, seen: bool, settings: SegmentationSettings
 ) -> Array:
     """Return (a), whether the motion looks like the action."""
     given = settings.decoding
@@ -172,6 +172,10 @@ def _character(
     if leaf.action.verb == "free" or axis is None:
         return np.asarray(still)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
+    known = task.object(leaf.action.object or "")
+    if known is not None and known.role == "target":
+        # "Down to the target" says where the way ends: it may come from the side.
+        return np.asarray(given.direction * np.maximum(along, 0.0) + still)
     # Hardly anybody says "up" of a motion that goes aside.
     astray = np.maximum(given.clear_along - along, 0.0)
     return np.asarray(given.direction * along - given.astray * astray + still)

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from assistant.files.demonstrations import read_demonstration
+from assistant.files.setups import read_setups
 from assistant.geometry import angle_between, distance_between
+from assistant.learning.segmentation import segment
 from assistant.model.demonstration import Spoken
 from sim.hands import Habits, RecordedHand, ScriptedHand
 from sim.hands.shipping import ship
@@ -34,6 +36,16 @@ def test_the_hand_keeps_the_speed_limit_and_makes_no_jumps(seed: int) -> None:
     speed = distance_between(shown.path[1:], shown.path[:-1]) / np.diff(shown.t_s)
     assert float(np.max(speed)) <= scene.hand_speed_m_s
     assert float(np.max(angle_between(shown.path[1:], shown.path[:-1]))) < 0.05
+
+
+@pytest.mark.parametrize("seed", [0, 3, 7, 11, 16])
+def test_what_the_hand_shows_is_cut_where_it_goes_on_to_the_next_step(seed: int) -> None:
+    """A cue left out is no matter: of seed 3, only the way to the target tells the third cut."""
+    task, scene, _ = lesson()
+    setup = read_setups(TASKS / "setups" / "demonstration.yaml")[0]
+    hand = ScriptedHand(task, scene, setup, seed)
+    found = segment(hand.demonstration(), task).cuts_s
+    assert found == pytest.approx(hand.cuts_s, abs=0.25)
 
 
 def test_a_seed_says_it_all_and_teachers_differ() -> None:
