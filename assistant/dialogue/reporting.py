@@ -21,7 +21,7 @@ from assistant.dialogue.turn import (
     say,
     then,
 )
-from assistant.model.motion import ArmReport, Refusal
+from assistant.model.motion import GOING_ON, ArmReport, Refusal
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import Condition, Index, Primitive, primitives
 
@@ -118,6 +118,9 @@ def _refusal_slots(refusal: Refusal) -> dict[str, Any]:
 def reported(dialogue: Dialogue, report: ArmReport) -> Turn:
     """Take what the arm tells of its motion."""
     run = dialogue.run
+    if report.text == GOING_ON:
+        # That halt was told when it was asked for, and a start has been heard since.
+        return dialogue, ()
     if run is not None and report.kind in ("finished", "halted"):
         run = replace(run, held=report.object, height_mm=report.height_mm)
         dialogue = replace(dialogue, run=run)

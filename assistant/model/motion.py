@@ -185,6 +185,10 @@ class Measure:
         return f"{self.kind} of {self.object} at {self.target}: {self.value:.1f} {self.unit}"
 
 
+GOING_ON = "going_on"
+"""Why an arm came to rest that has been told meanwhile what to do next."""
+
+
 @dataclass(frozen=True, slots=True)
 class ArmReport:
     """What the arm tells while or after it moves.
@@ -200,7 +204,8 @@ class ArmReport:
     primitive_at : int
         Position among the tree's leaves; -1 for none.
     text : str
-        For ``perceived`` and ``unmet`` a condition's key, such as ``held``; for ``halted`` why.
+        For ``perceived`` and ``unmet`` a condition's key, such as ``held``; for ``halted`` why,
+        or `GOING_ON`.
     object, target : str
         For ``perceived`` and ``unmet``; for ``halted`` and ``finished`` `object` is what the
         hand holds.

@@ -63,6 +63,8 @@ def _move(
     | wanted.Halt,
 ) -> None:
     mover = session.mover
+    if mover.latches(effect):
+        return
     refusal: Refusal | None = None
     match effect:
         case wanted.Check():

@@ -153,7 +153,7 @@ class Session:
             How long ago the first word began.
         """
         self.raw(text)
-        if not self.moving:
+        if not self.moving or (self.mover.braking and not has_stop_word(text, self.language)):
             self.equipment.stop_flag.clear()
         self.happen(events.Heard(text, self.understood(text, sure), by_voice, sure, ago_s))
 
@@ -250,7 +250,7 @@ class Session:
         self._write(event)
         self.note(event)
         self.dialogue, effects = step(self.dialogue, event)
-        for effect in effects:
+        for effect in (*effects, *self.mover.released(event)):
             do(self, effect)
         self.tell_trouble()
 

@@ -1,7 +1,8 @@
 """The arm's side of a session: checking a setup, starting a run, ticking, halting.
 
 Motion is adapted (paper III-D a), planned and checked before anything moves; a stop that
-arrives meanwhile wins. After a halt a run goes on from the measured pose, checked anew.
+arrives meanwhile wins. After a halt a run goes on from the measured pose, checked anew. What is
+told to move while the arm still brakes is latched until it stands; another stop discards it.
 """
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from assistant.dialogue import effects as wanted
-from assistant.dialogue.events import Checked
+from assistant.dialogue.events import ArmReported, Checked, Event
 from assistant.geometry import pose_to_mm_deg
-from assistant.model.motion import ArmReport, HandPath, JointPath, Refusal
+from assistant.model.motion import GOING_ON, ArmReport, HandPath, JointPath, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
@@ -62,6 +63,8 @@ class Mover:
         self._waiting = False
         self._pauses = False
         self._is_aside = False
+        self._latched: tuple[wanted.Effect, ...] = ()
+        self.braking = False
         self._started_s = self._lasts_s = 0.0
         self._primitive_at = -1
         self._heeding: Heeding | None = None
@@ -117,7 +120,8 @@ class Mover:
         self._equipment.arm.arrange(scene, setup)
         self.scene, self.setup = scene, setup
         self._checked = self._run = None
-        self.moving = self._waiting = False
+        self.moving = self._waiting = self.braking = False
+        self._latched = ()
         self._open_m = self.look.gripper_m
 
     def check(self, effect: wanted.Check) -> Checked:
@@ -173,9 +177,25 @@ class Mover:
         return None
 
     def halt(self, why: str) -> None:
-        """Brake now; what was started is discarded."""
-        self._waiting = False
+        """Brake now; what was started, or was to be started then, is discarded."""
+        self._waiting, self._latched = False, ()
+        self.braking = self.moving
         self._equipment.arm.stop(why)
+
+    def latches(self, effect: wanted.Effect) -> bool:
+        """Keep what would move an arm that is still coming to rest; tell whether it was kept."""
+        settling = self.moving and (self.braking or self._is_aside)
+        if settling and _moves(effect):
+            self._latched = (*self._latched, effect)
+            return True
+        return False
+
+    def released(self, event: Event) -> tuple[wanted.Effect, ...]:
+        """Return what was latched, once the dialogue has heard that the arm stands."""
+        if not isinstance(event, ArmReported) or event.report.text != GOING_ON:
+            return ()
+        latched, self._latched = self._latched, ()
+        return latched
 
     def set_hand(self, command: str) -> Refusal | None:
         """Open or close the hand where it is."""
@@ -197,11 +217,23 @@ class Mover:
         reports = self._equipment.arm.tick() if heeding is None else heeding.tick()
         for report in reports:
             self._take(report)
-        return reports if self.moving else with_held(reports, self.look, self.scene)
+        if self.moving:
+            return reports
+        return self._before_latched(with_held(reports, self.look, self.scene))
+
+    def _before_latched(self, reports: tuple[ArmReport, ...]) -> tuple[ArmReport, ...]:
+        """Return the reports of an end, which is none of what was told to move after it."""
+        if any(report.kind == "unmet" for report in reports):
+            # Who said it did not know what went wrong.
+            self._latched = ()
+        if not self._latched:
+            return reports
+        *before, last = reports
+        return (*before, replace(last, kind="halted", text=GOING_ON))
 
     def _take(self, report: ArmReport) -> None:
         if report.kind in ENDS:
-            self.moving = self._waiting = False
+            self.moving = self._waiting = self.braking = False
         if self._is_aside:
             return
         if report.kind == "primitive":
@@ -234,3 +266,11 @@ class Mover:
         self._lasts_s = float(motion.t_s[-1])
         self._equipment.arm.start(motion)
         self.moving = True
+
+
+def _moves(effect: wanted.Effect) -> bool:
+    """Whether an effect moves the arm, or is planned from where it stands."""
+    if isinstance(effect, wanted.GoOn | wanted.Check):
+        return effect.anew
+    begins = wanted.Move | wanted.Replay | wanted.SetHand | wanted.Jog | wanted.Home
+    return isinstance(effect, begins)

@@ -11,7 +11,7 @@ from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
-from assistant.model.motion import Refusal
+from assistant.model.motion import GOING_ON, Refusal
 from assistant.model.scene import Obstacle
 from tests.dialogue.teaching import (
     SCENE,
@@ -37,6 +37,21 @@ def test_stop_halts_latches_and_only_a_start_moves_again() -> None:
     assert not teacher.hear(acts.Resume()).did(fx.GoOn)
     assert not teacher.hear(acts.Affirm()).did(fx.GoOn)
     assert fx.GoOn(anew=True) in teacher.hear(acts.Start()).effects
+
+
+@pytest.mark.parametrize(
+    ("language", "told"), [("english", "I go on."), ("german", "Ich mache weiter.")]
+)
+def test_a_start_heard_before_the_halt_took_effect_is_not_undone_by_it(
+    language: str, told: str
+) -> None:
+    teacher = Lessons().ready().moving().hear(acts.Stop()).hear(acts.Start())
+    assert phrase(teacher.lines[0], language) == told
+    teacher.report("halted", 1, text=GOING_ON)
+    assert teacher.effects == ()
+    assert public_view(teacher.dialogue)["motion"] == "moving"
+    # A halt of its own still ends the run.
+    assert teacher.report("halted", 1, text="stop").topics == ["stopped.stop"]
 
 
 def test_a_stop_from_outside_is_told() -> None:

@@ -14,7 +14,7 @@ from assistant.files.shipped import shipped
 from assistant.files.tasks import read_task
 from assistant.model.demonstration import Demonstration, Recording, Spoken
 from assistant.model.listening import Understanding
-from assistant.model.motion import Alignment, ArmReport, Refusal
+from assistant.model.motion import GOING_ON, Alignment, ArmReport, Refusal
 from assistant.model.teacher_acts import Affirm
 from assistant.model.transcript import Happened, TeacherLine
 from assistant.session.happenings import Store, from_happened, to_step
@@ -43,6 +43,7 @@ EVENTS: list[events.Event] = [
             ArmReport("primitive", 0.02, 0),
             ArmReport("perceived", 3.5, 1, "on", "block", "target"),
             ArmReport("halted", 1.25, 2, "stop", "block", height_mm=12.5),
+            ArmReport("halted", 1.25, 2, GOING_ON),
             ArmReport(
                 "finished", 16.0, 4, alignments=(Alignment("block", "target", 0.021, 0.013),)
             ),

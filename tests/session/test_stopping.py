@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
+from assistant.model.motion import ArmReport
 from assistant.session import halting
+from assistant.session.heeding import Heeding
 from assistant.session.loop import Session
 from assistant.session.opening import resume_session
+from sim import a465
 from tests.session.lessons import Heard, lesson, opened, opening
 
 REST_S = 0.25
@@ -121,3 +125,110 @@ def test_a_session_taken_up_again_while_going_home_stands(
     again.hear("start")
     assert again.moving
     again.close()
+
+
+@pytest.fixture
+def heavy(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the arm brake for many ticks."""
+    monkeypatch.setattr(a465, "ACCELERATIONS", 0.05 * a465.ACCELERATIONS)
+
+
+def reach_rest(session: Session) -> None:
+    """Let time pass until the arm has come to rest, or has begun anew from there."""
+    while session.mover.braking:
+        session.tick()
+
+
+@pytest.mark.parametrize(("halt", "go"), [("stop", "start"), ("pause", "go on")])
+def test_a_start_while_the_arm_brakes_is_done_once_it_stands(
+    moving: tuple[Session, Heard], halt: str, go: str
+) -> None:
+    session, heard = moving
+    session.hear(halt)
+    session.tick()
+    session.hear(go)
+    assert heard.topics[-1] == "told.going_on"
+    told = len(heard.topics)
+    reach_rest(session)
+    # The very tick that ends the braking begins the rest of the run, from standing still.
+    assert session.moving
+    assert session.mover.run_s == 0.0
+    assert heard.topics[told:] == []
+    session.rest()
+    assert heard.topics[-2:] == ["done.run", "ask.satisfied"]
+
+
+@pytest.mark.usefixtures("heavy")
+def test_a_start_changes_nothing_while_the_arm_brakes(moving: tuple[Session, Heard]) -> None:
+    session, _ = moving
+    session.hear("stop")
+    session.tick()
+    session.hear("start")
+    q = [session.mover.look.q]
+    while session.mover.braking:
+        session.tick()
+        q.append(session.mover.look.q)
+    steps = np.linalg.norm(np.diff(np.array(q), axis=0), axis=1)
+    assert len(steps) > 5
+    assert (np.diff(steps) < 0.0).all()
+    assert steps[-1] < 0.1 * steps[0]
+
+
+@pytest.mark.usefixtures("heavy")
+@pytest.mark.parametrize("again", ["stop", "Ctrl-C"])
+def test_a_stop_after_the_start_discards_it(moving: tuple[Session, Heard], again: str) -> None:
+    session, heard = moving
+    for words in ("stop", "start"):
+        session.hear(words)
+        session.tick()
+    assert session.mover.braking
+    if again == "stop":
+        session.hear("stop")
+    else:
+        session.halt(halting.KEY)
+    session.rest()
+    session.pass_s(1.0)
+    assert not session.moving
+    assert session.dialogue.arm == "stopped"
+    assert heard.topics[-1] == "stopped.stop"
+
+
+def test_a_stop_seen_by_the_arm_alone_after_the_start_halts_its_first_tick(
+    moving: tuple[Session, Heard],
+) -> None:
+    session, heard = moving
+    for words in ("stop", "start"):
+        session.hear(words)
+    session.equipment.stop_flag.set()
+    reach_rest(session)
+    begun = session.mover.look.hand
+    session.rest()
+    assert np.linalg.norm(session.mover.look.hand[:3] - begun[:3]) < 1e-4
+    assert session.dialogue.arm == "stopped"
+    assert heard.topics[-1] == "stopped.stop"
+
+
+@pytest.mark.parametrize("words", ["go home", "open the hand", "again"])
+def test_nothing_else_moves_before_rest_either(moving: tuple[Session, Heard], words: str) -> None:
+    session, _ = moving
+    session.hear("stop")
+    session.hear(words)
+    assert session.mover.braking
+    reach_rest(session)
+    assert session.moving
+    assert session.mover.run_s == 0.0
+
+
+def test_a_condition_broken_while_braking_discards_the_start(
+    moving: tuple[Session, Heard], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session, heard = moving
+    for words in ("stop", "start"):
+        session.hear(words)
+    lost = ArmReport("unmet", 3.0, 0, "contact", "block")
+    monkeypatch.setattr(Heeding, "tick", lambda self: (lost,))
+    session.tick()
+    session.pass_s(1.0)
+    assert not session.moving
+    assert session.dialogue.arm == "stopped"
+    assert heard.topics[-1] == "stopped.unmet.contact"
