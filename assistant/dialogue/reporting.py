@@ -10,6 +10,7 @@ from assistant.dialogue.asking import PRACTICE, ask, index_of, tell
 from assistant.dialogue.conditions import expected, missing, plain_conditions
 from assistant.dialogue.effects import GoOn, Move
 from assistant.dialogue.events import Checked
+from assistant.dialogue.measuring import result_slots
 from assistant.dialogue.practicing import not_home, stopped
 from assistant.dialogue.runs import Run, RunResult
 from assistant.dialogue.state import Dialogue, Ran, Ready, Running
@@ -280,15 +281,6 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
         about=About(dialogue.known.name),
         setup=run.setup.name,
         duration_s=round(report.at_s, 1),
-        alignments=[_plain(one) for one in report.alignments],
+        **result_slots(report.alignments, report.measures),
     )
     return tell(after, told)
-
-
-def _plain(alignment: Any) -> dict[str, Any]:
-    return {
-        "object": alignment.object,
-        "target": alignment.target,
-        "distance_mm": round(alignment.distance_mm, 3),
-        "angle_deg": round(alignment.angle_deg, 3),
-    }
