@@ -1,7 +1,8 @@
 """Names heard by voice are read back before they are taken: "red block: right?".
 
 A recognizer writes the words it knows, and a name may be any word. What is asked for is said
-again, spelled letter by letter, or typed.
+again, spelled letter by letter, or typed. Of whatever else gives the plan its shape, such as the
+number of steps, only what was not heard surely is read back: "two" sounds like "ten".
 """
 
 from __future__ import annotations
@@ -10,13 +11,43 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask
+from assistant.dialogue.events import Heard
 from assistant.dialogue.naming import things_in
+from assistant.dialogue.replying import answers_by_words
 from assistant.dialogue.state import Dialogue, Introducing, Pending
 from assistant.dialogue.turn import Turn, Words, line
 from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
+from assistant.model.settings import SafetySettings
 
 TOPIC = "heard_names"
+SAFETY = SafetySettings()
+SHAPING = ("objects", "subtask_count", "subtask_name", "actions", "body")
+"""Questions whose answers give the plan its shape."""
+
+
+def misheard(event: Heard) -> bool:
+    """Whether words came by voice and may have been others."""
+    return event.by_voice and event.sure < SAFETY.act_confidence
+
+
+def to_read_back(
+    dialogue: Dialogue, event: Heard, meant: Sequence[acts.TeacherAct]
+) -> tuple[str, ...]:
+    """Return what of an answer heard by voice is read back before it is taken."""
+    if not event.by_voice:
+        return ()
+    return new_names(dialogue, meant) or _doubtful(dialogue, event, meant)
+
+
+def _doubtful(
+    dialogue: Dialogue, event: Heard, meant: Sequence[acts.TeacherAct]
+) -> tuple[str, ...]:
+    state = dialogue.state
+    if not misheard(event) or not isinstance(state, Introducing) or _asks_otherwise(dialogue):
+        return ()
+    answers = all(isinstance(act, acts.Inform) or answers_by_words(dialogue, act) for act in meant)
+    return (event.text.strip(),) if answers and state.asked in SHAPING else ()
 
 
 def new_names(dialogue: Dialogue, meant: Sequence[acts.TeacherAct]) -> tuple[str, ...]:

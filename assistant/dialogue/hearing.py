@@ -50,7 +50,7 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)
-    heard = heard_names.new_names(dialogue, meant) if event.by_voice else ()
+    heard = heard_names.to_read_back(dialogue, event, meant)
     if heard:
         return heard_names.read_back(dialogue, meant, heard, words)
     beside = aside(dialogue, words, meant)
@@ -64,10 +64,15 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     if unknowing(dialogue, words.text):
         return one_question(unknown_to(dialogue, words))
     steps = told_steps(dialogue, words.text, meant)
+    if steps and heard_names.misheard(event):
+        return heard_names.read_back(dialogue, (acts.Inform(steps),), steps, words)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
     unsure = event.understanding.confidence < SAFETY.act_confidence
-    plain = answers_plainly(dialogue, meant, words.text) or names_known(dialogue, meant)
+    plain = answers_plainly(dialogue, meant, words.text) or (
+        # What changes the plan must have been heard well.
+        names_known(dialogue, meant) and not heard_names.misheard(event)
+    )
     if unsure and not plain:
         return _doubted(dialogue, meant, words)
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))

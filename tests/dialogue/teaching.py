@@ -130,7 +130,7 @@ class Lessons:
         self, *meant: acts.TeacherAct, text: str = "", sure: float = 1.0, voice: bool = False
     ) -> Lessons:
         understood = Understanding(meant, sure, text)
-        return self.happen(ev.Heard(text, understood, voice))
+        return self.happen(ev.Heard(text, understood, voice, sure if voice else 1.0))
 
     def tell(self, value: str | int | tuple[str, ...]) -> Lessons:
         return self.hear(acts.Inform(value), text=str(value))

@@ -68,3 +68,47 @@ def test_a_step_the_robot_has_a_word_for_is_not_doubted() -> None:
     assert teacher.asked == "subtask_name"
     heard(teacher, "tidy up")
     assert teacher.lines[-1].slots["names"] == ["tidy up"]
+
+
+def asked_for_steps() -> Lessons:
+    return Lessons().open().tell("sorting").tell("all in place").tell(("block", "target"))
+
+
+def test_a_number_not_heard_surely_is_read_back() -> None:
+    teacher = asked_for_steps().hear(acts.Inform(10), text="ten", sure=0.6, voice=True)
+    assert teacher.lines[-1].slots["names"] == ["ten"]
+    teacher.hear(acts.Deny(), text="no", voice=True)
+    assert teacher.asked == "subtask_count"
+    teacher.hear(acts.Inform(2), text="two", sure=0.6, voice=True)
+    assert yes(teacher).asked == "subtask_name"
+    assert len(teacher.dialogue.known.root.parts) == 2
+
+
+def test_a_number_heard_surely_or_typed_is_taken() -> None:
+    for voice, sure in ((True, 1.0), (False, 0.6)):
+        teacher = asked_for_steps().hear(acts.Inform(2), text="two", sure=sure, voice=voice)
+        assert teacher.asked == "subtask_name"
+
+
+@pytest.mark.parametrize("act", [acts.Inform("move up"), acts.Translate("up")])
+def test_a_step_not_heard_surely_is_read_back_as_it_was_heard(act: acts.TeacherAct) -> None:
+    teacher = asked_for_steps().tell(2).hear(act, text="move up", sure=0.6, voice=True)
+    assert teacher.lines[-1].slots["names"] == ["move up"]
+    assert yes(teacher).dialogue.known.root.parts[0].name == "move up"
+
+
+def test_steps_told_in_one_breath_are_read_back_if_not_heard_surely() -> None:
+    steps = "first grasp the block, then lift the block"
+    teacher = asked_for_steps().hear(acts.AddSubtask(steps), text=steps, sure=0.6, voice=True)
+    assert teacher.topics[-1] == "confirm.heard_names"
+    assert len(teacher.lines[-1].slots["names"]) == 2
+    assert not teacher.dialogue.known.root.parts
+
+
+def test_a_renamed_step_must_have_been_heard_well() -> None:
+    rename = acts.Rename("grasp object", "hold object")
+    for sure, topic in ((0.6, "confirm.did_you_mean"), (1.0, None)):
+        teacher = Lessons().introduce()
+        teacher.hear(rename, text="call grasp object hold object", sure=sure, voice=True)
+        assert (topic is None) or topic in teacher.topics
+        assert ("hold object" in str(teacher.dialogue.known.root)) == (topic is None)

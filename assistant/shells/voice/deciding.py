@@ -84,12 +84,15 @@ class Heard:
         Whose words they are.
     by_sound : bool
         Whether they were matched by sound rather than as written.
+    sure : float
+        How surely the words were recognized, whatever they mean; in [0, 1].
     """
 
     text: str
     understanding: Understanding
     recognizer: str = ""
     by_sound: bool = False
+    sure: float = 1.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -199,4 +202,5 @@ def voted(readings: Sequence[Reading], phrases: Sequence[str]) -> Heard | None:
 def as_heard(reading: Reading, most: float) -> Heard:
     """Return a reading as heard, no surer than `most`."""
     sure = min(reading.meant.confidence, most)
-    return Heard(reading.text, replace(reading.meant, confidence=sure), reading.recognizer)
+    meant = replace(reading.meant, confidence=sure)
+    return Heard(reading.text, meant, reading.recognizer, sure=most)

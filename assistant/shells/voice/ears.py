@@ -178,7 +178,7 @@ class Ears:
         self._session.raw(words)
         # Words that were weighed and found to mean nothing are not to be taken for something.
         unknown = is_unknown(heard.understanding)
-        sure = min(heard.understanding.confidence, DOUBT if unknown else 1.0)
+        sure = min(heard.sure, DOUBT if unknown else 1.0)
         self._give(Words(words, sure, self.now_s - utterance.speech_from_s))
 
     def _is_own(self, words: str, talked_over: bool) -> bool:

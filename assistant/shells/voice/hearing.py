@@ -189,7 +189,7 @@ class Hearing:
             if far <= NEAR and margin >= MARGIN and reading.weight >= max(most / 2, FAINT):
                 meant = understand(phrase, listening, self._language)
                 sure = replace(meant, confidence=meant.confidence * (1.0 - far))
-                return Heard(phrase, sure, reading.recognizer, by_sound=True)
+                return Heard(phrase, sure, reading.recognizer, by_sound=True, sure=1.0 - far)
         if not readings:
             return Heard("", Understanding((Unknown(),), 1.0, ""))
         likeliest = max(readings, key=lambda one: one.weight)

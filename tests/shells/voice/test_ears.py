@@ -61,7 +61,7 @@ class Says:
         if not self.words:
             meant = Understanding((Unknown(),), 1.0, "")
         sure = min(meant.confidence, self.sure)
-        return Heard(self.words, Understanding(meant.acts, sure, self.words))
+        return Heard(self.words, Understanding(meant.acts, sure, self.words), sure=self.sure)
 
 
 class SpotsLoud:
