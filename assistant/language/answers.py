@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.templates import Bound, Node, matches
 from assistant.language.words import Word, Words, said, told
-from assistant.language.wrappings import NAMES, loosened
+from assistant.language.wrappings import NAMES, loosened, said_of
 from assistant.model.teacher_acts import Asked, Inform
 
 LISTS: frozenset[Asked] = frozenset(("objects", "actions"))
@@ -34,6 +34,7 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     bare = trimmed(words, book)
     if asked == "subtask_count":
         return _count(bare or words, book)
+    bare = trimmed(said_of(bare, asked, book), book)
     core = _unwrapped(bare, asked, book)
     if core == bare or asked in NAMES:
         core = trimmed(loosened(core, asked, book), book)

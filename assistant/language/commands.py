@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from assistant.language.answers import OPEN
 from assistant.language.clauses import clause
 from assistant.language.compounds import compound, corrected, once_more
 from assistant.language.mending import mended
@@ -33,6 +34,7 @@ from assistant.model.teacher_acts import (
     Unordered,
 )
 
+LEAST_MENDED = 0.7
 _YES_OR_NO = frozenset(
     ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
 )
@@ -49,6 +51,14 @@ def plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse |
     if parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion"):
         return parse
     return Parse((Affirm() if first in hearing.book.yes else Deny(),), ACTING, "plain")
+
+
+def consent(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "why not" as a yes where one was asked for, never so surely that it ends a thing."""
+    asked = hearing.listening.asked
+    if asked is None or asked in OPEN or texts_of(words) not in hearing.book.consenting:
+        return None
+    return Parse((Affirm(),), NAMED, "consent")
 
 
 def command(words: Words, hearing: Hearing) -> Parse | None:
@@ -84,7 +94,7 @@ def _mended(words: Words, hearing: Hearing) -> Parse | None:
             parse = other if other is not None and other.score >= LIKELY else parse
         if parse is not None and (best is None or parse.score > best.score + 0.02):
             best = parse
-    if best is None or best.score < NAMED or isinstance(best.acts[0], Unknown):
+    if best is None or best.score < LEAST_MENDED or isinstance(best.acts[0], Unknown):
         return None
     return Parse(best.acts, min(best.score, SURE) - 0.04, "mended")
 
@@ -94,7 +104,10 @@ def settled(parse: Parse, listening: Listening) -> Parse:
     acts: tuple[TeacherAct, ...] = parse.acts
     if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
         same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
-        if listening.asked is None or (same is not None and isinstance(acts[1], same)):
+        while len(acts) > 1 and isinstance(acts[0], Affirm) and isinstance(acts[1], Affirm):
+            acts = acts[1:]
+        wanted = len(acts) > 1 and same is not None and isinstance(acts[1], same)
+        if len(acts) > 1 and (listening.asked is None or wanted):
             acts = acts[1:]
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
     if any(isinstance(act, RepeatLine) for act in acts):

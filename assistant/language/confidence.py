@@ -42,6 +42,8 @@ _NAMES = ("subtask", "name", "old", "new", "first", "second", "subtasks", "befor
 # Corrections are often said together, and the practice asked for with them.
 _JOINED = (AdjustSpeed, Translate, Rotate, Gripper, Again)
 _OBJECTION, _CERTAIN = 0.72, 0.985
+_RIVALED = -0.4
+"""Where the words are that much likelier to tell another act, no reading is sure."""
 _LEAST = 1e-4
 _SURE = 0.995
 
@@ -77,7 +79,10 @@ def sureness(reading: Reading) -> float:
         return parse.score
     if _names_known(reading):
         return parse.score
-    odds = sum(weights[name] * value for name, value in traits(reading).items())
+    told = traits(reading)
+    if told["margin"] < _RIVALED:
+        return min(parse.score, GUESSED)
+    odds = sum(weights[name] * value for name, value in told.items())
     right = 1 / (1 + math.exp(-odds))
     if parse.score >= ACTING and right < _OBJECTION:
         return min(parse.score, GUESSED)

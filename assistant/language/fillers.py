@@ -10,6 +10,9 @@ from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import Asked
 
 _LONGEST = 7
+_GREETING = frozenset(
+    ("hello", "hi", "hey", "right", "ok", "okay", "well", "now", "so", "oh", "hallo", "na")
+)
 
 
 def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
@@ -52,6 +55,10 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
                 words, changed = words[size:], True
                 break
             set_off = words[-size].broken or (asked not in OPEN and tail in book.vocatives[0])
+            greeted = words[0].text in _GREETING and _texts(words[1 : size + 1]) in known
+            if greeted and len(words) > size + 1 and words[size + 1].broken:
+                words, changed = words[size + 1 :], True
+                break
             if tail in known and set_off:
                 words, changed = words[:-size], True
                 break

@@ -79,9 +79,11 @@ def features(said: Phrase, respelled: Phrase, listening: Listening, language: st
     asked = listening.asked or "none"
     pairs = [f"{a} {b}" for a, b in itertools.pairwise(words)]
     threes = [f"{a} {b} {c}" for a, b, c in zip(words, words[1:], words[2:], strict=False)]
+    # Of a word whose spelling was repaired the repaired letters tell, not the slip.
+    letter_words = respelled if len(respelled) == len(said) else said
     letters = [
         f"#{padded[at : at + _CHARS]}"
-        for padded in (f"<{word}>" for word in said)
+        for padded in (f"<{word}>" for word in letter_words)
         for at in range(max(1, len(padded) - _CHARS + 1))
     ]
     classes = [f"@{name}" for name in classes_of(respelled, language)]

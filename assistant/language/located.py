@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from assistant.language.motion import read_motion
-from assistant.language.naming import known_name
+from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import (
     DOUBTFUL,
     GUESSED,
@@ -148,9 +148,11 @@ def _at(parse: Parse, spot: Where, score: float) -> Parse | None:
 
 def _front(words: Words, size: int, when: When, hearing: Hearing) -> Parse | None:
     breaks = [at for at in range(size + 1, len(words)) if words[at].broken]
-    for at in breaks or range(size + 1, len(words)):
+    free = sorted(range(size + 1, len(words)), key=lambda at: (at - 1 in _parted(words), at))
+    for at in breaks or free:
         loose = words[at].text in ("it", "the", "a", "an", "that", "and", "to")
-        if loose and not words[at].broken:
+        stated = words[at].text in ("it", "that") and texts_of(words)[at + 1 : at + 2] in _STATED
+        if loose and not words[at].broken and not stated:
             continue
         found = _joined(words[at:], words[size:at], texts_of(words[:size]), when, hearing)
         if found is not None:
@@ -158,11 +160,25 @@ def _front(words: Words, size: int, when: When, hearing: Hearing) -> Parse | Non
     return None
 
 
+def _parted(words: Words) -> frozenset[int]:
+    """Return where words in -ing stand whose particle follows: "putting | down"."""
+    return frozenset(
+        at
+        for at in range(len(words) - 1)
+        if words[at].text.endswith("ing") and words[at + 1].text in _PARTICLES
+    )
+
+
+_STATED = (("should",), ("needs",), ("must",), ("has",), ("is",), ("could",), ("ought",))
+_NO_STEPS = frozenset(("something", "anything", "nothing", "everything", "thing", "ring", "string"))
+_PARTICLES = frozenset(("up", "down", "in", "out", "on", "off", "over", "away", "back", "aside"))
+
+
 def _joined(
     told: Words, place: Words, phrase: Phrase, when: When, hearing: Hearing
 ) -> Parse | None:
-    subject = _place(place, hearing)
-    weak = phrase in (("at",), ("in",), ("for",), ("as",), ("once",), ("following",))
+    subject, where = _place(place, hearing), hearing.book.where
+    weak = phrase in _WEAK
     if not subject or len(subject) > LONGEST_NAME:
         return None
     if not told or told[-1].text in ("to", "of", "by", "and", "from"):
@@ -173,7 +189,8 @@ def _joined(
     if any(text in hearing.book.chat for text in texts):
         return None
     known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
-    told_step = any(text.endswith("ing") for text in texts)
+    listed = without_article(texts) in where["stepping"]
+    told_step = listed or any(t.endswith("ing") and t not in _NO_STEPS for t in texts)
     vague = weak and known is None and phrase != ("once",) and not told_step
     if vague or _is_amount(texts, hearing):
         return None
@@ -181,10 +198,17 @@ def _joined(
         parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
         if parse is None or parse.score < LIKELY:
             continue
-        found = _at(parse, Where(known or said(subject), when), SURE if known else LIKELY + 0.01)
+        found = _at(
+            parse, Where(known or said(subject), when), SURE if known or listed else LIKELY + 0.01
+        )
         if found is not None:
             return found
     return None
+
+
+_WEAK = frozenset(
+    (("at",), ("in",), ("for",), ("as",), ("once",), ("following",), ("on",), ("upon",))
+)
 
 
 def _is_amount(texts: Phrase, hearing: Hearing) -> bool:

@@ -67,7 +67,13 @@ def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]
     for at in range(len(before) - 1, least, -1):
         if _alike(before[at], first, hearing):
             yield (*before[:at], _unbroken(first, before[at]), *behind[1:])
+    if len(behind) > 2 and behind[0].text in _REFERRING and behind[1].text in _BEING:
+        # "the second piece is lifting, no, it is lowering": what "it" is stands before.
+        yield from _replaced(before, behind[1:], hearing)
     yield behind
+
+
+_REFERRING, _BEING = frozenset(("it", "that", "this")), frozenset(("is", "was", "should"))
 
 
 def _amount(words: Words, hearing: Hearing) -> Words:

@@ -10,6 +10,7 @@ from assistant.language.parsing import (
     DOUBTFUL,
     GUESSED,
     LIKELY,
+    NAMED,
     SURE,
     Hearing,
     Parse,
@@ -85,6 +86,8 @@ def answered(words: Words, hearing: Hearing) -> Parse:
         return Parse((Unknown(),), 0.8)
     for told in dict.fromkeys((words, bare)):
         parse = command(told, hearing)
+        if asked == "missing_step" and parse is not None and _placed(parse):
+            return parse
         if asked == "subtask_count" and parse is not None and _changing(parse):
             return parse
         if (
@@ -140,6 +143,12 @@ def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -
 def _changing(parse: Parse) -> bool:
     known = isinstance(parse.acts[0], Rename | AddSubtask | RemoveSubtask)
     return known and parse.how != "named" and parse.score >= 0.8
+
+
+def _placed(parse: Parse) -> bool:
+    """Tell a missing step that is named with where it belongs."""
+    act = parse.acts[0]
+    return isinstance(act, AddSubtask) and bool(act.before or act.after) and parse.score >= NAMED
 
 
 def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:

@@ -59,6 +59,7 @@ class Phrasebook:
     correction: tuple[Phrase, ...]
     contrary: tuple[frozenset[str], ...]
     not_taken_back: tuple[Phrase, ...]
+    consenting: frozenset[Phrase]
     numbers: NumberWords
     motion: Mapping[Phrase, str]
     where: Mapping[str, tuple[Phrase, ...]]
@@ -133,9 +134,10 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
             frozenset(word for (word,) in _phrases(line)) for line in _lines(book["contrary"])
         ),
         not_taken_back=_longest_first(book["not_taken_back"]),
+        consenting=frozenset(_phrases(book["consenting"])),
         numbers=numbers,
         motion=motion,
-        where={name: _longest_first(told) for name, told in book["where"].items()},
+        where={name: _longest_first(told) for name, told in _where(book).items()},
         chat=frozenset(phrase[0] for phrase in _phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in _pairs(book["homophones"])
@@ -256,6 +258,10 @@ def _turning(book: Mapping[str, Any]) -> set[str]:
 def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
     sure, others = _lines(text)
     return frozenset(_phrases(sure)), frozenset(_phrases(f"{sure}, {others}"))
+
+
+def _where(book: Mapping[str, Any]) -> dict[str, str]:
+    return {"stepping": "", **book["where"]}
 
 
 def _single(text: str) -> frozenset[str]:

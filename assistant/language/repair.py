@@ -36,9 +36,18 @@ def without_slips(words: Words, book: Phrasebook) -> Words:
     return tuple(
         Word(_TYPOS[word.text], _TYPOS[word.text], word.broken)
         if word.text in _TYPOS and word.text not in book.vocabulary
-        else word
+        else _whole(word, book)
         for word in words
     )
+
+
+def _whole(word: Word, book: Phrasebook) -> Word:
+    """Return "going" for "goin" and "goin'"."""
+    stem = word.text.removesuffix("'")
+    unknown = stem not in book.vocabulary and stem not in book.real
+    if len(stem) > _SHORTEST and stem.endswith("in") and unknown and f"{stem}g" in book.vocabulary:
+        return Word(f"{stem}g", word.said, word.broken)
+    return word
 
 
 @lru_cache(maxsize=4096)
@@ -107,7 +116,8 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
         whole = "".join(word.text for word in pair)
         meant = ""
         if len(pair) == 2 and whole.isalpha() and not pair[1].broken and len(whole) > _SHORTEST:
-            meant = _sounding(whole, book.vocabulary)
+            article = pair[0].text in ("a", "an", "the") and whole not in book.vocabulary
+            meant = "" if article else _sounding(whole, book.vocabulary)
         if meant:
             found.append(Word(meant, " ".join(w.said for w in pair), words[at].broken))
             at += 2

@@ -90,11 +90,13 @@ class Runs:
 def _stretches(words: Words, used: set[int], blank: set[int], known: Frames) -> Iterator[Span]:
     """Yield stretches of words that no class took, little words inside kept."""
     joints, soft = known.little["joints"], known.little["soft"]
+    glue = known.little.get("glue", frozenset())
     start = end = -1
     for at in range(len(words) + 1):
         last = at == len(words)
         text = "" if last else words[at].text
-        cut = last or at in used or words[at].broken or text in joints
+        taken = at in used and not (text in glue and start >= 0)
+        cut = last or taken or words[at].broken or text in joints
         if start >= 0 and (cut or (at in blank and text not in soft)):
             yield start, end
             start = -1

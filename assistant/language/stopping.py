@@ -104,6 +104,60 @@ _OTHERS = frozenset(
         "snoop",
     ]
 )
+# The same in other languages: words that people say of what a hand holds.
+_ALSO_OTHERS = {
+    "german": frozenset(
+        [
+            "hast",
+            "hasst",
+            "halb",
+            "halbe",
+            "hält",
+            "hälst",
+            "holt",
+            "holst",
+            "hole",
+            "hol",
+            "hielt",
+            "hat",
+            "hatte",
+            "hals",
+            "hart",
+            "haut",
+            "haft",
+            "half",
+            "halle",
+            "hall",
+            "halm",
+            "hallo",
+            "haut",
+            "hakt",
+            "habt",
+            "harte",
+            "kalt",
+            "alt",
+            "salat",
+            "statt",
+            "stoff",
+            "stopf",
+            "stab",
+            "stoß",
+            "stob",
+            "step",
+            "schalt",
+            "stoppel",
+            "frei",
+            "freie",
+            "fräse",
+            "freue",
+            "notiz",
+            "abbiegen",
+            "abbringen",
+        ]
+    )
+}
+# Verbs and things that only contain the word: "behalte das", "die Schalter", "der Inhalt".
+_WITHIN = {"german": re.compile("(be|ent|er|in|aus|ge|ver|unter|haus|auf|sc|vor)halt")}
 _WORDS = re.compile(r"[^\W\d_]+")
 
 
@@ -114,13 +168,16 @@ def has_stop_word(text: str, language: str = "english") -> bool:
     if any(phrase in " ".join(plain.split()) for phrase in _PHRASES):
         return True
     stops = _STOPS.get(language, ()) + _STOPS["english"]
-    return any(_is_stop(word, stops) for word in _WORDS.findall(plain))
+    return any(_is_stop(word, stops, language) for word in _WORDS.findall(plain))
 
 
-def _is_stop(word: str, stops: tuple[str, ...]) -> bool:
+def _is_stop(word: str, stops: tuple[str, ...], language: str) -> bool:
+    within = _WITHIN.get(language)
+    if within is not None and within.match(word):
+        return False
     if "stop" in word or "halt" in word.removesuffix("er") or word in stops:
         return True
-    if word in _OTHERS:
+    if word in _OTHERS or word in _ALSO_OTHERS.get(language, ()):
         return False
     once = re.sub(r"(.)\1+", r"\1", word)
     return any(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.language.answers import OPEN, trimmed
-from assistant.language.commands import command, plain_answer, settled, unknown
+from assistant.language.commands import command, consent, plain_answer, settled, unknown
 from assistant.language.confidence import Reading, sureness
 from assistant.language.fillers import without_fillers
 from assistant.language.guessing import guess, urgent
@@ -31,7 +31,7 @@ from assistant.language.seeking import chances_of
 from assistant.language.sentences import best_sentence
 from assistant.language.stopping import has_stop_word
 from assistant.language.weighing import weighed
-from assistant.language.words import Words, plain, spoken, words_of
+from assistant.language.words import Words, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
     Optional,
@@ -56,14 +56,14 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
         Name of the phrasebook.
     """
     if listening.moving and has_stop_word(text, language):
-        return Understanding((Stop(),), 1.0, plain(text))
+        return Understanding((Stop(),), 1.0, text)
     reading = read(text, listening, language)
     if not reading.words:
-        return Understanding((Unknown(),), 0.9, "")
+        return Understanding((Unknown(),), 0.9, text)
     score = sureness(reading)
     if any(isinstance(act, Stop) for act in reading.parse.acts):
         score = max(score, ACTING) if has_stop_word(text, language) else min(score, DOUBTFUL)
-    return Understanding(reading.parse.acts, round(score, 3), spoken(reading.heard))
+    return Understanding(reading.parse.acts, round(score, 3), text)
 
 
 def read(text: str, listening: Listening, language: str = "english") -> Reading:
@@ -77,6 +77,9 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
         return Reading(Parse((Unknown(),), LIKELY), words, words, {}, hearing)
     if listening.asked not in OPEN:
         words = _once(words)
+    consenting = consent(words, hearing)
+    if consenting is not None:
+        return Reading(consenting, words, words, {}, hearing)
     short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
     if short is not None and short.score >= SURE and listening.asked not in OPEN:
         heard, parse = heard_words, settled(short, listening)

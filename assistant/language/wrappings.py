@@ -24,6 +24,40 @@ def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
     return _bodies(words, book) if asked == "objects" else words
 
 
+def said_of(words: Words, asked: Asked, book: Phrasebook) -> Words:
+    """Return what "what we want in the end is ..." or "the whole point of it is that ..." says."""
+    texts = _texts(words)
+    begun = _clause_of(texts, asked, book)
+    copulas = [at for at in range(begun, len(texts) - 1) if begun and _copula(texts, at)]
+    if not copulas or not begun:
+        return words
+    at = (copulas[0] if asked not in NAMES else copulas[-1]) + 1
+    at += texts[at - 1] in ("will", "would", "should") and texts[at] == "be"
+    leads = {phrase[0] for phrase in book.wrapping.get("leads", ())}
+    while at < len(words) - 1 and texts[at] in leads:
+        at += 1
+    return words[at:]
+
+
+def _clause_of(texts: Phrase, asked: Asked, book: Phrasebook) -> int:
+    """Return from where on a copula ends the clause that leads to the answer; 0 if none does."""
+    whats = {phrase[0] for phrase in book.wrapping.get("whats", ())}
+    goals = book.wrapping.get("goal_nouns", ()) if asked == "goal" else ()
+    nouns = {phrase[0] for phrase in goals}
+    for at in range(min(3, len(texts))):
+        if texts[at] in whats:
+            return at + 2
+        if texts[at] in nouns:
+            return at + 1
+    return 0
+
+
+def _copula(texts: Phrase, at: int) -> bool:
+    if texts[at] in ("would", "will", "should"):
+        return texts[at + 1] == "be" and not texts[min(at + 2, len(texts) - 1)].endswith("ing")
+    return texts[at] in ("is", "are", "was") and not texts[at + 1].endswith(("ing", "ed"))
+
+
 def _marked(words: Words, book: Phrasebook) -> Words:
     """Return what follows the mark in "task name: cable routing"."""
     nouns = {phrase[0] for phrase in book.wrapping["name_nouns"]}

@@ -45,7 +45,7 @@ class Understanding:
     confidence : float
         In [0, 1].
     heard : str
-        The words after repair of spelling and homophones.
+        The line as it was given, nothing repaired in it.
     """
 
     acts: tuple[TeacherAct, ...]

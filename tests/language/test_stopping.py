@@ -25,3 +25,19 @@ def test_ordinary_words_are_not(text: str) -> None:
 def test_german_stop_words() -> None:
     assert has_stop_word("anhalten bitte", "german")
     assert has_stop_word("stopp", "german")
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["hast du den Block", "nur halb so schnell", "die Hand hält ihn", "sie holt den Becher",
+     "der Hals der Flasche", "behalte das", "der Inhalt", "das ist hart"],
+)  # fmt: skip
+def test_german_words_near_a_stop_word_are_none(text: str) -> None:
+    assert not has_stop_word(text, "german")
+
+
+@pytest.mark.parametrize(
+    "text", ["hlat", "stpo", "stop", "halt an", "haltt", "anhlten", "halte an"]
+)
+def test_german_slips_of_a_stop_word_are_one(text: str) -> None:
+    assert has_stop_word(text, "german")

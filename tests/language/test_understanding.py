@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
-from assistant.model.teacher_acts import ASKED, STAGES, Stop, Unknown, act_to_json
+from assistant.model.teacher_acts import ASKED, STAGES, Affirm, Stop, Unknown, act_to_json
 from assistant.plain_yaml import read_file
 from tests.benchmarks.bench_language import CORPUS, FILES, Row, rows, same
 
@@ -136,3 +136,27 @@ def test_acts_are_plain_json() -> None:
     acts = heard("when you place it, a bit more left")
     assert json.loads(json.dumps(acts)) == acts
     assert acts[0]["where"] == {"subtask": "place it", "when": "during"}
+
+
+@pytest.mark.parametrize("asked", [None, "satisfied", "ready"])
+def test_a_slip_in_the_direction_is_still_acted_on(asked: Any) -> None:
+    meant = understand("a bit more lfet", Listening(stage="practice", asked=asked))
+    assert [act_to_json(act) for act in meant.acts] == [
+        {"act": "translate", "direction": "left", "degree": "little"}
+    ]
+    assert meant.confidence >= 0.85
+
+
+def test_why_not_is_understood_by_what_was_asked() -> None:
+    assert heard("why not") == [{"act": "explain", "text": "why not"}]
+    assert heard("why not", stage="demonstration") == [{"act": "explain", "text": "why not"}]
+    for asked in ("ready", "satisfied", "confirm_tree"):
+        meant = understand("why not", Listening(stage="practice", asked=asked))
+        assert meant.acts == (Affirm(),)
+        assert meant.confidence < 0.85
+
+
+def test_heard_is_the_line_as_given() -> None:
+    for text in ("A bit mroe LEFT!", "Yes.", "stop", "..."):
+        for moving in (False, True):
+            assert understand(text, Listening(stage="practice", moving=moving)).heard == text
