@@ -13,7 +13,8 @@ import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.cue_lag import Lag
-from assistant.learning.reading import Understood, local_scores
+from assistant.learning.reading import Understood
+from assistant.learning.scoring import local_scores
 from assistant.model.settings import SegmentationSettings
 
 FEATURES = (

@@ -189,18 +189,16 @@ def _docked(
     earliest = 0
     for k, (visit, at) in enumerate(zip(seen, even.acts, strict=True)):
         suggested = _suggested(found, visit, even.shown_s)
-        docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
-        if visit.kind == "touch" and _holds(seen[:k]):
-            # What is done there with a thing in the hand keeps its shape from its beginning.
-            docking_at = min(max(suggested, earliest), at)
-        elif visit.kind == "touch":
-            # A place to push from or to is a docking pose itself, with all of the way between.
-            docking_at = at
-        ways = _ways(context, visit, path[at], placed[k])
-        if visit.kind != "touch":
+        if visit.kind == "touch":
+            # A place to push from or to is a docking pose itself, with all of the way between;
+            # what is done there with a thing in the hand keeps its shape from its beginning.
+            docking_at = min(max(suggested, earliest), at) if _holds(seen[:k]) else at
+        else:
+            docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
+            ways = _ways(context, visit, path[at], placed[k])
             path = straightened(path, at, docking_at, ways, earliest, given.settle_m)
         latest = even.acts[k + 1] if k + 1 < len(seen) else len(path) - 1
-        pushes = visit.kind == "touch" and k + 1 < len(seen) and seen[k + 1].kind == "touch"
+        pushes = [one.kind for one in seen[k : k + 2]] == ["touch", "touch"]
         left_at = at if pushes else _left(path[:, :3], at, latest, given.leave_m)
         stations.append(
             Station(

@@ -9,21 +9,17 @@ import numpy as np
 
 from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
-from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined, support
+from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined
 from assistant.learning.decoding import Lattice, Reading, decode
-from assistant.learning.fit import fits, stretches
 from assistant.learning.introduction import orders, other_orders
 from assistant.learning.posterior import cut_shares, whole_evidence
+from assistant.learning.scoring import heard_lattice, motion_lattice, reordered, told_lattice
 from assistant.model.demonstration import Demonstration
-from assistant.model.settings import DecodingSettings, SegmentationSettings
-from assistant.model.task import Task, primitives
+from assistant.model.settings import SegmentationSettings
+from assistant.model.task import Task
 
-_NEVER = -1e6
-_TOLD_CUTS_FACTOR = 4.0
 _SAME_CUT_S = 0.4
 """Cuts so near to each other are one and the same."""
-_AT_TOLD_CUT_S = 0.25
-"""A gripper event so near to a cut that was told belongs to that cut."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -178,32 +174,6 @@ def read_cuts(
     return _read(demonstration, task, evidence, settings, told, np.zeros(0), None, fixed=True)
 
 
-def local_scores(candidates: Sequence[Candidate], usual_s: float, given: DecodingSettings) -> Array:
-    """Return what the motion itself says for a cut at each candidate, in log odds, shape (k,).
-
-    Parameters
-    ----------
-    candidates : sequence of Candidate
-    usual_s : float
-        Mean time from one introduced cut to the next: rests are long or short against it.
-    given : DecodingSettings
-    """
-    return np.array(
-        [
-            given.bias
-            + given.depth * min(spot.depth, given.deepest)
-            + given.rest * np.log1p(spot.rest_s / (0.1 * usual_s))
-            + given.bend * spot.bend
-            + given.gripper * spot.gripper
-            + given.jolt * np.log1p(spot.jolt)
-            - given.part * spot.part
-            - given.heard * spot.heard
-            - given.settling * spot.settling
-            for spot in candidates
-        ]
-    ).reshape(len(candidates))
-
-
 def _with_heard(evidence: Evidence, cues_s: Array, lag: Lag) -> tuple[Candidate, ...]:
     """Add an instant for each cue where no signal proposes one."""
     begin_s, end_s = float(evidence.smoothed.t_s[0]), float(evidence.smoothed.t_s[-1])
@@ -228,54 +198,30 @@ def _read(
     *,
     fixed: bool = False,
 ) -> Understood:
+    """Return the best reading with these candidates and this lag; `fixed` cuts are all kept."""
     t_s = evidence.smoothed.t_s
-    leaves = primitives(task.tree)
-    given = settings.decoding
-    # Where the teacher cut, there is a step: leaving one out or naming none takes more.
-    rare = _TOLD_CUTS_FACTOR if fixed else 1.0
     at_s = np.array([t_s[0], *(spot.at_s for spot in candidates), t_s[-1]])
-    between = stretches(at_s, evidence, _AT_TOLD_CUT_S if fixed else 1e-6)
-    steps = fits(task, demonstration, evidence, between, settings)
-    unnamed = -rare * given.insert + np.where(
-        between.lasting_s < settings.validity.least_s, -3.0, 0.0
-    )
-    cuts = np.zeros(len(at_s))
-    cuts[1:-1] = local_scores(candidates, float(np.ptp(t_s)) / max(len(leaves), 1), given)
+    if fixed:
+        lattice = told_lattice(demonstration, task, evidence, at_s, settings)
+    else:
+        lattice = motion_lattice(demonstration, task, evidence, candidates, settings)
     if lag is not None:
         blur_s = np.array([spot.blur_s for spot in candidates])
-        alone, shared = _heard(cues_s, at_s, blur_s, lag, len(leaves), settings)
-        cuts[1:-1] += alone
-        steps[1:-1, 1:-1] -= shared[:, :, None]
-        unnamed[1:-1, 1:-1] -= shared
-    if fixed:
-        apart = np.triu(np.full(unnamed.shape, _NEVER), 2)
-        steps, unnamed, cuts = steps + apart[:, :, None], unnamed + apart, np.zeros(len(at_s))
-    skips = -rare * np.array(
-        [given.skip_optional if leaf.optional else given.skip for leaf in leaves]
-    )
+        lattice = heard_lattice(lattice, at_s, cues_s, blur_s, lag, settings)
     told = [(order, 0.0) for order in orders(task)]
     if not fixed:
-        told += [(order, given.reorder) for order in other_orders(task)]
-    lattices = [
-        Lattice(cuts, steps[:, :, list(order)], unnamed, skips[list(order)]) for order, _ in told
-    ]
+        told += [(order, settings.decoding.reorder) for order in other_orders(task)]
+    order, reading, lattice, share = _best_order(lattice, told)
+    return Understood(at_s, candidates, reading, order, lag, lattice, order_chance=share)
+
+
+def _best_order(
+    lattice: Lattice, told: Sequence[tuple[tuple[int, ...], float]]
+) -> tuple[tuple[int, ...], Reading, Lattice, float]:
+    """Return the order that reads best for what it costs, with its share among all orders."""
+    lattices = [reordered(lattice, order) for order, _ in told]
     ways = [decode(each) for each in lattices]
     odds = np.array([way.evidence - cost for way, (_, cost) in zip(ways, told, strict=True)])
     best = int(np.argmax(odds))
     share = float(1.0 / np.sum(np.exp(odds - odds[best])))
-    order = told[best][0]
-    return Understood(at_s, candidates, ways[best], order, lag, lattices[best], order_chance=share)
-
-
-def _heard(
-    cues_s: Array,
-    at_s: Array,
-    blur_s: Array,
-    lag: Lag,
-    leaves: int,
-    settings: SegmentationSettings,
-) -> tuple[Array, Array]:
-    given = settings.cues
-    missing = float(np.clip(1.0 - len(cues_s) / max(leaves - 1, 1), given.least_missing, 0.9))
-    false_rate = max(len(cues_s) * given.false_share, 0.3) / float(np.ptp(at_s))
-    return support(cues_s, at_s[1:-1], blur_s, lag, missing, false_rate)
+    return told[best][0], ways[best], lattices[best], share
