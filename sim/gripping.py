@@ -14,6 +14,8 @@ ACTING_S = 3.0
 PRESSED_M = 1e-3
 """Fingers that hold a body are told to close by so much more than they are: enough to press with
 all their force, while they follow a body that gives way no faster than 40 mm/s."""
+PARTED_M = 4e-4
+"""Fingers that leave a body which stands already are told so much more than they are open."""
 
 
 @dataclass(slots=True)
@@ -43,6 +45,10 @@ class Grip:
     def press(self, measured_m: float) -> None:
         """Hold on to what is between the fingers."""
         self.opening_m = max(measured_m - PRESSED_M, 0.0)
+
+    def part(self, measured_m: float) -> None:
+        """Leave what stands between the fingers: pads that rest on it turn it to lie along them."""
+        self.opening_m = min(measured_m + PARTED_M, GRIPPER.open_m)
 
     def ease(self) -> None:
         """Press less hard, by one tick's share."""

@@ -19,6 +19,8 @@ from sim.world import CONTROL_S
 
 STANDS_RAD = 1e-4
 """A tenth of a millimetre or less from its station the hand counts as standing there."""
+RESTS_RAD = 1e-5
+"""Closer than this it does not matter whether what is let go comes along."""
 
 
 @dataclass(slots=True)
@@ -51,10 +53,18 @@ class Playback:
     @property
     def stands(self) -> bool:
         """Whether the hand already rests at the next station, waiting for the gripper's time."""
+        return self._within(STANDS_RAD)
+
+    @property
+    def rests(self) -> bool:
+        """Whether it is so close to the next station that it may let go already."""
+        return self._within(RESTS_RAD)
+
+    def _within(self, most_rad: float) -> bool:
         if not self.pending or self.sample >= self.pending[0].at:
             return bool(self.pending)
         way = self.motion.q[self.sample : self.pending[0].at + 1]
-        return bool(np.max(np.abs(way - way[-1])) < STANDS_RAD)
+        return bool(np.max(np.abs(way - way[-1])) < most_rad)
 
     @property
     def over(self) -> bool:

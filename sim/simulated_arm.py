@@ -29,7 +29,7 @@ from sim.rechecking import still_free
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
 from sim.touching import Trace, allowed_at
-from sim.world import CONTROL_S, Allowed, Fault, World
+from sim.world import CONTROL_S, EASED, Allowed, Fault, World
 
 Kind = Literal["primitive", "perceived", "unmet", "halted", "finished"]
 
@@ -160,7 +160,7 @@ class SimulatedArm:
             self._q, self._hand = playback.now()
             self._ease_early(playback)
             if self._carried:
-                self._grip.press(self.world.joints()[1])
+                self._hold(playback)
         stops, sample = playback.motion.stops, playback.sample
         allowed = allowed_at(stops, sample, self._carried, self._grip.share)
         fault = self.world.step(self._q, self._hand, self._grip.opening_m, allowed)
@@ -188,6 +188,14 @@ class SimulatedArm:
             return
         if stop.docking_at < playback.sample and playback.stands:
             self._grip.ease()
+
+    def _hold(self, playback: Playback) -> None:
+        # Whoever stops meanwhile wants the grip kept.
+        grip, opening_m = self._grip, self.world.joints()[1]
+        if grip.share <= EASED and playback.rests and not playback.braking:
+            grip.part(opening_m)
+        else:
+            grip.press(opening_m)
 
     def _lost_grip(self) -> Fault | None:
         self._lost = 0 if self.world.held() == self._carried else self._lost + 1

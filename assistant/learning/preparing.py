@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -118,7 +120,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
             compose(move, one.hand_in_frame).tolist()
             for move, one in zip(moves, stations, strict=True)
         ],
-        ways=prepare(path, held, settings, _jerk(lesson, learned)),
+        ways=prepare(path, held, settings, _jerk(lesson, learned), _pushes(stations)),
         weights=frame_weights(
             path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
         ),
@@ -153,6 +155,16 @@ def _jerk(lesson: Lesson, learned: LearnedPath) -> float:
     """Return the demonstration's jerk in m, a sample's step being 1."""
     step_s = float(learned.t_s[1] - learned.t_s[0])
     return step_s**3 * (lesson.jerk_m_s3 or rms_jerk(learned.path[:, :3], step_s))
+
+
+def _pushes(stations: Sequence[Station]) -> frozenset[int]:
+    """Return the stretches, the start being 0, to which the thing touched before is pushed."""
+    return frozenset(
+        k + 2
+        for k, (touched, there) in enumerate(pairwise(stations))
+        if (touched.kind, there.kind) == ("touch", "touch")
+        and touched.object == there.object != there.frame
+    )
 
 
 def _stop(one: Station, told: Array) -> HandStop:

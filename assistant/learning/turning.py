@@ -40,7 +40,11 @@ _UP = (0.0, 0.0, 1.0, 0.0)
 
 
 def turns(
-    middles: Rows, turning: Sequence[Rows], moves: Sequence[Floats], polar: bool
+    middles: Rows,
+    turning: Sequence[Rows],
+    moves: Sequence[Floats],
+    polar: bool,
+    onward: frozenset[int] = frozenset(),
 ) -> list[Turn]:
     """Return how each stretch is turned.
 
@@ -52,14 +56,20 @@ def turns(
     moves : seven floats a stretch
     polar : bool
         Otherwise azimuths do not count.
+    onward : frozenset of int
+        Stretches that what is pushed is brought to from the one before: straight, not around the
+        base where that lies on the other side of its back.
     """
-    found = []
-    for rows, move, (x, y, z) in zip(turning, moves, middles, strict=True):
+    found: list[Turn] = []
+    for k, (rows, move, (x, y, z)) in enumerate(zip(turning, moves, middles, strict=True)):
         azimuth = 0.0
         if polar:
             after_x = rows[0][0] * x + rows[0][1] * y + rows[0][2] * z + move[0]
             after_y = rows[1][0] * x + rows[1][1] * y + rows[1][2] * z + move[1]
             azimuth = math.atan2(after_y, after_x) - math.atan2(y, x)
+            if k in onward:
+                before = found[-1].azimuth
+                azimuth = before + math.remainder(azimuth - before, 2.0 * math.pi)
         back = [0.0, 0.0, math.sin(-azimuth / 2.0), math.cos(azimuth / 2.0)]
         found.append(Turn(azimuth, multiply(back, move[3:]), *_upright(move[5], move[6])))
     return found

@@ -84,6 +84,8 @@ class Ways:
         Number of all samples between stretches.
     most : float
         Sum of squared third differences allowed there.
+    onward : frozenset of int
+        See `turns`.
     """
 
     path: Array
@@ -95,10 +97,15 @@ class Ways:
     between: tuple[Between, ...]
     carried: int
     most: float
+    onward: frozenset[int] = frozenset()
 
 
 def prepare(
-    path: Array, held: tuple[Span, ...], settings: BlendingSettings, shown_jerk: float = math.inf
+    path: Array,
+    held: tuple[Span, ...],
+    settings: BlendingSettings,
+    shown_jerk: float = math.inf,
+    onward: frozenset[int] = frozenset(),
 ) -> Ways:
     """Return what `smooth_way` needs and does not depend on a setup.
 
@@ -111,6 +118,8 @@ def prepare(
     shown_jerk : float
         Root mean square of the demonstration's jerk in m, a sample's step being 1; without it
         nothing is evened out.
+    onward : frozenset of int
+        See `turns`.
     """
     polar = bool(np.min(np.hypot(path[:, 0], path[:, 1])) >= settings.least_radius_m)
     between: list[Between] = []
@@ -130,6 +139,7 @@ def prepare(
         tuple(between),
         carried,
         most - _held_jerk(path, between),
+        onward,
     )
 
 
@@ -229,7 +239,7 @@ def _end(about: Rows) -> Rows:
 def _carry(ways: Ways, turning: Sequence[Rows], moves: Sequence[Floats], out: Array) -> None:
     """Carry all samples between stretches at once: small arrays cost more than long ones."""
     carried, halves, terms = (np.empty((rows, ways.carried)) for rows in (3, 2, 16))
-    by = turns(ways.middles, turning, moves, ways.polar)
+    by = turns(ways.middles, turning, moves, ways.polar, ways.onward)
     for k, way in enumerate(ways.between):
         here, there = by[k], by[k + 1]
         rows = _end(moved(way.ends[0], turning[k], moves[k]))
