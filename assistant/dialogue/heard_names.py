@@ -12,11 +12,11 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask
 from assistant.dialogue.events import Heard
-from assistant.dialogue.naming import things_in
+from assistant.dialogue.naming import action_words, things_in
 from assistant.dialogue.replying import answers_by_words
 from assistant.dialogue.state import Dialogue, Introducing, Pending
 from assistant.dialogue.turn import Turn, Words, line
-from assistant.language.actions import read_action
+from assistant.language.actions import mentioned_objects, read_action
 from assistant.model import teacher_acts as acts
 from assistant.model.settings import SafetySettings
 
@@ -68,11 +68,23 @@ def new_names(dialogue: Dialogue, meant: Sequence[acts.TeacherAct]) -> tuple[str
             things = things_in(tuple(names), scene, dialogue.language)
             return tuple(thing.name for thing in things if thing.name not in scene.bodies)
         case "subtask_name":
-            return tuple(
-                one for one in names if read_action(one, (), dialogue.language).action is None
-            )
+            return tuple(one for one in names if not _tells_all(dialogue, one))
         case _:
             return ()
+
+
+def _tells_all(dialogue: Dialogue, name: str) -> bool:
+    """Whether a step's name is an action, and besides what it is done with, nothing else.
+
+    "approach object" is; of "approach and project" the robot knows half the words.
+    """
+    known, language = dialogue.known, dialogue.language
+    if read_action(name, (), language).action is None:
+        return False
+    if mentioned_objects(name, known.objects or (), language):
+        return True
+    rest = name.lower().split()
+    return all(word in action_words(language) for word in rest)
 
 
 def read_back(

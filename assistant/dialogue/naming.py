@@ -93,6 +93,12 @@ def _verbs(language: str) -> set[str]:
     return {phrase.split()[end] for one in entries for phrase in one["phrases"] for end in ends}
 
 
+def action_words(language: str) -> set[str]:
+    """Return the words of what a teacher says of an action."""
+    entries = (*hints("actions", language), *hints("guesses", language))
+    return {word for one in entries for phrase in one["phrases"] for word in phrase.split()}
+
+
 def listed_steps(text: str, room: int = 2, language: str = "english") -> tuple[str, ...]:
     """Return the steps of a text that plainly lists several, each beginning with its verb."""
     steps = steps_in(text, room, language)

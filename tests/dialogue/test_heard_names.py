@@ -112,3 +112,17 @@ def test_a_renamed_step_must_have_been_heard_well() -> None:
         teacher.hear(rename, text="call grasp object hold object", sure=sure, voice=True)
         assert (topic is None) or topic in teacher.topics
         assert ("hold object" in str(teacher.dialogue.known.root)) == (topic is None)
+
+
+@pytest.mark.parametrize(
+    ("name", "plain"),
+    [
+        ("approach object", True),
+        ("move up", True),
+        ("approach and project", False),
+        ("grasp a cheque", False),
+    ],
+)
+def test_a_step_of_words_the_robot_does_not_know_is_read_back(name: str, plain: bool) -> None:
+    teacher = heard(asked_for_steps().tell(2), name)
+    assert (teacher.asked == "subtask_name") == plain

@@ -37,6 +37,8 @@ LIKELIEST = 12
 """So many candidates are understood."""
 SURE_SHARE = 0.7
 ASK_SHARE = 0.35
+RIVAL_SHARE = 0.25
+"""A name so likely spelled otherwise is asked about: it is part of the plan."""
 WORST = 4.0
 WORST_WORD = 1.5
 """Less likely than this, and less by each word, it is asked about at most."""
@@ -155,7 +157,13 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     well = fit >= worst and votes[acted] >= SURE_SHARE
     # A number nobody would expect is asked about.
     usual = candidate.expected or not chosen.numbers
-    sure = well and usual and (chosen.commands or chosen.meant.confidence < SURE)
+    other = (one.weight for one in read if one.kind == acted and one.acts != chosen.acts)
+    sure = (
+        well
+        and usual
+        and max(other, default=0.0) < RIVAL_SHARE
+        and (chosen.commands or chosen.meant.confidence < SURE)
+    )
     return as_heard(chosen, 1.0 if sure else DOUBT)
 
 

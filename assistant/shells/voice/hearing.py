@@ -17,7 +17,7 @@ from assistant.language.completion import suggestions
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
-from assistant.model.teacher_acts import Stop, Unknown
+from assistant.model.teacher_acts import Deny, Stop, Unknown
 from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
@@ -66,6 +66,13 @@ SINGLE_WORDS = (
     "slower", "faster", "pause", "continue", "undo", "help", "open", "close", "good", "halt",
 )  # fmt: skip
 """Said alone wherever no name or number is asked for."""
+
+CUES = ("next", "now", "then", "next one", "second step", "third step", "last step", "finished")
+"""Said alone while a hand shows the task, beside what the phrasebook suggests."""
+
+RARE = 4.5
+"""Taken off readings that sound like a likelier word: nobody says "please" in a name, where
+"place" is common; while a hand shows the task "now" is a cue, and "no" answers nothing."""
 
 COUNTS = ("none", "one", "two", "three", "four", "five", "six")
 """Said alone where a number is asked for."""
@@ -155,11 +162,21 @@ class Hearing:
             for text in dict.fromkeys(texts)
             if text in known or length_penalty(text, speech_s) < TOO_LONG
         )
-        told = dict(zip(texts, slow.likelihoods(samples, texts), strict=True))
+        found_by_sound = zip(texts, slow.likelihoods(samples, texts), strict=True)
+        told = {text: one - self._rare(text, listening) for text, one in found_by_sound}
         before = self._before(slow, [phrase for phrase in phrases if phrase in told])
         before |= {text: MENDED for text in mends if text in told}
         found = weighed(told, speech_s, expected=before, agreed=other)
         return decided(found, lambda text: understand(text, listening, self._language))
+
+    def _rare(self, text: str, listening: Listening) -> float:
+        """Return what is taken off a reading that is hardly ever said here."""
+        if listening.asked in OPEN:
+            return RARE if "please" in text.split() else 0.0
+        if listening.stage != "demonstration" or listening.asked is not None:
+            return 0.0
+        answers = understand(text, listening, self._language).acts == (Deny(),)
+        return RARE if answers else 0.0
 
     def _before(self, slow: Weigher, phrases: Sequence[str]) -> dict[str, float]:
         """Return how likely the recognizer finds phrases before it listens, asked once."""
@@ -206,6 +223,8 @@ def expected(listening: Listening, language: str) -> tuple[str, ...]:
     alone: tuple[str, ...] = () if listening.asked in OPEN else SINGLE_WORDS
     if listening.asked == "subtask_count":
         alone = COUNTS
+    if listening.stage == "demonstration" and listening.asked is None:
+        alone = CUES
     return tuple(dict.fromkeys((*phrases, *alone)))
 
 

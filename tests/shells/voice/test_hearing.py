@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from assistant.model.listening import Listening, Understanding
-from assistant.model.teacher_acts import Affirm, Inform, Start, Stop, TeacherAct, Translate, Undo
+from assistant.model.teacher_acts import (
+    Affirm,
+    Cue,
+    Deny,
+    Inform,
+    Start,
+    Stop,
+    TeacherAct,
+    Translate,
+    Undo,
+)
 from assistant.shells.voice.deciding import SURE, Heard, decided, is_unknown
 from assistant.shells.voice.hearing import Hearing, expected, hot_words
 from assistant.shells.voice.recognizers import Recognized
@@ -140,6 +151,33 @@ def test_a_name_is_mended_if_that_explains_the_sound() -> None:
     slow = Weighs({"please object": -3.0, "place object": -3.5}, ("please object", 0.3))
     one = heard(Reads(("pleas object", 1.0)), slow, NAMING)
     assert one.understanding.acts == (Inform("place object"),)
+
+
+@pytest.mark.voice
+def test_nobody_says_please_within_a_name() -> None:
+    told = {"please object": -0.6, "place object": -6.5}
+    one = heard(Reads(("prease object", 1.0)), Weighs(told, (next(iter(told)), 0.9)), NAMING)
+    assert one.text == "place object"
+
+
+@pytest.mark.voice
+def test_a_name_that_sounds_like_another_is_asked_about() -> None:
+    told = {"open lid": -1.0, "open lit": -2.8}
+    one = heard(Reads(("open lit", 1.0)), Weighs(told, ("open lid", 0.3)), NAMING)
+    assert one.understanding.acts == (Inform("open lid"),)
+    assert one.sure < SURE
+
+
+WATCHING = Listening(stage="demonstration")
+
+
+@pytest.mark.voice
+def test_a_cue_is_no_answer() -> None:
+    told = {"now": -4.0, "no": -2.5}
+    one = heard(Reads(("no", 1.0)), Weighs(told, ("no", 0.9)), WATCHING)
+    assert one.understanding.acts == (Cue("next"),)
+    asked = heard(Reads(("no", 1.0)), Weighs(told, ("no", 0.9)), replace(WATCHING, asked="ready"))
+    assert asked.understanding.acts == (Deny(),)
 
 
 @pytest.mark.voice
