@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.geometry import Array, angle_between, compose, inverse
+from assistant.geometry import Array, compose, inverse
 from assistant.model.scene import Scene
 from sim import a465
 from sim.bullet_bodies import add_body, add_obstacle, middle_in_base
@@ -28,6 +28,8 @@ OTHER, LINK, FORCE = 2, 3, 9
 """Fields of a contact point: the other body, the own link, the normal force."""
 RENEW_RAD = np.deg2rad(5.0)
 """Contacts of a hand that has turned by more are found anew; each time a body may slip a little."""
+SAME_TURN = float(np.cos(RENEW_RAD / 2.0))
+"""Quaternions whose product is less, either way round, are further apart than that."""
 LATER_TICKS = 2
 """The second pad finds its contacts so long after the first."""
 
@@ -123,27 +125,39 @@ class BulletWorld:
 
     def step(self, q: Array, hand: Array, opening_m: float, allowed: Allowed) -> Fault | None:
         """Advance by one control tick, a whole number of physics steps."""
-        client, settings = self._client, self.settings
-        begin, finger = self._q, self._finger_m
-        speed = ((q - begin) / CONTROL_S).tolist()
-        force = settings.grip_n * allowed.grip
+        force = self.settings.grip_n * allowed.grip
         self._anchor(allowed.grasped if allowed.grip < 1.0 else "")
         self._let_go(allowed.grip <= EASED)
         self._renew(hand)
+        share = np.arange(self._steps)[:, None] / self._steps
+        joints = self._q + share * (q - self._q)
+        # The fingers have no speed told in advance: they are a step ahead instead.
+        fingers = self._finger_m + (share + 1.0 / self._steps) * (opening_m / 2 - self._finger_m)
+        self._drive(joints.tolist(), ((q - self._q) / CONTROL_S).tolist(), fingers.tolist(), force)
+        self._q, self._finger_m = np.array(q), opening_m / 2
+        return self._fault(allowed)
+
+    def _drive(
+        self,
+        joints: list[list[float]],
+        speed: list[float],
+        fingers: list[list[float]],
+        force: float,
+    ) -> None:
+        client, settings = self._client, self.settings
+        ones, torques = [1.0] * 6, [settings.joint_force] * 6
         six, two = [settings.joint_gain] * 6, [settings.finger_gain] * 2
-        for k in range(self._steps):
-            share = k / self._steps
+        for angles, (reach,) in zip(joints, fingers, strict=True):
             client.setJointMotorControlArray(
                 self._arm,
                 self._joints,
                 client.POSITION_CONTROL,
-                targetPositions=(begin + share * (q - begin)).tolist(),
+                targetPositions=angles,
                 targetVelocities=speed,
                 positionGains=six,
-                velocityGains=[1.0] * 6,
-                forces=[settings.joint_force] * 6,
+                velocityGains=ones,
+                forces=torques,
             )
-            reach = finger + (share + 1 / self._steps) * (opening_m / 2 - finger)
             client.setJointMotorControlArray(
                 self._arm,
                 self._fingers,
@@ -154,8 +168,6 @@ class BulletWorld:
                 forces=[force, force],
             )
             client.stepSimulation()
-        self._q, self._finger_m = np.array(q), opening_m / 2
-        return self._fault(allowed)
 
     def _anchor(self, easing: str) -> None:
         """Let friction hold places, but between the pads and a body that is being let go.
@@ -195,7 +207,7 @@ class BulletWorld:
         if self._late == 1:
             self._forget(self._pads[1:])
         self._late = max(self._late - 1, 0)
-        if float(angle_between(hand, self._found_at)) > RENEW_RAD:
+        if abs(float(hand[3:] @ self._found_at[3:])) < SAME_TURN:
             self._found_at, self._late = hand, LATER_TICKS
             self._forget(self._pads[:1])
 

@@ -91,6 +91,38 @@ def test_a_stop_brakes_within_a_tick_stays_on_the_path_and_keeps_the_grip(make: 
     assert arm.look().held == "block"
 
 
+def test_pads_leave_what_stands_slowly_and_before_the_hand_opens(make: Maker) -> None:
+    arm = make()
+    begun(arm)
+    openings_m = [_parting(arm)]
+    while openings_m[-1] < openings_m[0] + 0.01:
+        arm.tick()
+        openings_m.append(arm.look().gripper_m)
+    # At the speed of an opening hand it would take less.
+    assert len(openings_m) * CONTROL_S > 1.5 * 0.01 / a465.GRIPPER.speed_m_s
+
+
+def test_a_stop_while_the_pads_leave_keeps_the_grip(make: Maker) -> None:
+    arm = make()
+    begun(arm)
+    _parting(arm)
+    arm.stop("pause")
+    assert told_until_rest(arm)[-1].text == "pause"
+    for _ in range(20):
+        arm.tick()
+    assert arm.look().held == "block"
+
+
+def _parting(arm: SimulatedArm) -> float:
+    """Tick until the pads have begun to leave the block and return their opening."""
+    ticked_to(arm, "held")
+    width_m = arm.look().gripper_m
+    while arm.look().gripper_m < width_m + 1e-4:
+        arm.tick()
+    assert arm.look().moving
+    return arm.look().gripper_m
+
+
 def test_a_stop_latches_until_a_new_start_from_the_measured_pose(make: Maker) -> None:
     arm = make()
     begun(arm)
