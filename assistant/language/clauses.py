@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assistant.language.frames import frames
 from assistant.language.framing import framed
 from assistant.language.located import (
     acted_correction,
@@ -27,21 +28,28 @@ from assistant.language.sentences import best_sentence
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     AddSubtask,
+    AdjustLast,
+    AdjustSpeed,
+    Again,
     Assign,
     Compare,
     Explain,
+    Gripper,
     KeyState,
     Load,
     Merge,
     MoveCut,
     Optional,
     Ordered,
+    Pause,
     RemoveSubtask,
     Rename,
     Required,
+    Rotate,
     Save,
     Split,
     Stop,
+    Translate,
     Unordered,
 )
 
@@ -69,7 +77,27 @@ def _clause(words: Words, hearing: Hearing) -> Parse | None:
     if best is None or best.score < ACTING:
         others = (framed(words, hearing), _requested(words, hearing))
         best = max((best, *others), key=lambda parse: parse.score if parse else 0.0)
+    if best is None or best.score < ACTING:
+        told = _reasoned(words, hearing)
+        best = told if told is not None and (best is None or told.score > best.score) else best
     return best
+
+
+def _reasoned(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the correction that is asked for before a reason: "left so that I can see it"."""
+    known = frames(hearing.language)
+    reasons = known.little.get("reasons", frozenset()) if known else frozenset()
+    texts = texts_of(words)
+    for at in range(2, len(words) - 1):
+        if any(" ".join(texts[at : at + size]) in reasons for size in (1, 2, 3)):
+            found = clause(words[:at], hearing)
+            asked = found is not None and isinstance(found.acts[0], _ASKED_FOR)
+            if found is not None and asked and found.score >= LIKELY:
+                return Parse(found.acts, found.score - 0.04, found.how)
+    return None
+
+
+_ASKED_FOR = (Translate, Rotate, AdjustSpeed, AdjustLast, Gripper, Again, Pause)
 
 
 _NAMING = (AddSubtask, Assign, Merge, MoveCut, Optional, Ordered, RemoveSubtask, Rename)
@@ -95,6 +123,13 @@ def _requested(words: Words, hearing: Hearing) -> Parse | None:
     return None
 
 
+def _told_when(words: Words, hearing: Hearing) -> bool:
+    """Whether a clause begins with where it belongs: "after raising it ..." raises nothing."""
+    texts, where = texts_of(words), hearing.book.where
+    whens = (phrase for when in ("before", "after", "during") for phrase in where[when])
+    return any(len(phrase) > 0 and texts[: len(phrase)] == phrase for phrase in whens)
+
+
 def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     sentence = best_sentence(words, hearing)
     if sentence is not None:
@@ -110,6 +145,8 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     if located is not None:
         yield located
     if sentence is not None and sentence.score >= LIKELY:
+        return
+    if located is not None and located.score >= LIKELY and _told_when(words, hearing):
         return
     texts = texts_of(words)
     pose = read_pose(texts, [w.broken for w in words], hearing.listening, hearing.book)

@@ -65,7 +65,12 @@ def compound(words: Words, hearing: Hearing) -> Parse | None:
 
 def _partly(words: Words, hearing: Hearing) -> Parse | None:
     """Return what some stretches ask if the others mean nothing here, as a guess."""
-    cuts = [at for at in range(1, len(words)) if words[at].broken or words[at].text in _PARTING]
+    cuts = [
+        at
+        for at in range(1, len(words))
+        if words[at].broken
+        or (words[at].text in _PARTING and words[at - 1].text not in hearing.book.negating)
+    ]
     if not cuts or set(texts_of(words)) & hearing.book.chat:
         return None
     found: list[TeacherAct] = []

@@ -83,8 +83,10 @@ def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tu
             found.append(Tag("quantity", quantity, tuple(words[at : quantity.end])))
             at = quantity.end
         elif phrase is not None:
-            found.append(Tag(book.motion[phrase], None, phrase))
             at += len(phrase)
+            # Behind all else "too" means also, and German "zu" shuts the hand.
+            alone = book.motion[phrase] == "too" and (not words[at:] or words[at] in _JOINTS)
+            found.append(Tag("other" if alone else book.motion[phrase], None, phrase))
         else:
             kind = "skip" if words[at] in names else "other"
             kind = "empty" if words[at] in book.empty else kind
@@ -131,6 +133,8 @@ def read_motion(
 
 
 _TIMES = frozenset(("times", "as", "twice", "double", "triple", "thrice", "fold", "x", "speed"))
+_RATIOS = ("ratio", "")
+_JOINTS = frozenset(("and", "but", "then", "und", "aber", "dann"))
 _UPDOWN = frozenset(("up", "down", "up-er", "down-er", "high", "low", "lower", "raise"))
 _SAYING = frozenset(
     ["turn", "tilt", "move", "quantity", "little", "much", "more", "less", "too", "not", "enough"]
@@ -155,9 +159,7 @@ def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]
         return [tags]
     cuts = [0]
     for before, after in pairwise(distinct):
-        joints = [
-            at for at in range(before + 1, after) if tags[at].words[0] in ("and", "but", "then")
-        ]
+        joints = [at for at in range(before + 1, after) if tags[at].words[0] in _JOINTS]
         cuts.append(joints[0] if joints else before + 1)
     return [tags[a:b] for a, b in zip(cuts, [*cuts[1:], len(tags)], strict=True)]
 
@@ -231,9 +233,6 @@ def factor_of(words: Sequence[str], book: Phrasebook) -> float | None:
     return _factor(quantity, pace or _pace_of_noun([tag.kind for tag in tags]), words)
 
 
-_RATIOS = ("ratio", "")
-
-
 def _speed(tags: Sequence[Tag], words: Sequence[str]) -> AdjustSpeed | None:
     kinds = [tag.kind for tag in tags]
     pace = _told_pace(tags)
@@ -289,7 +288,8 @@ def _pace_of_noun(kinds: Sequence[str]) -> str | None:
 
 def _factor(quantity: Quantity, pace: str | None, words: Sequence[str]) -> float:
     value = quantity.value
-    absolute = pace is None or "as" in words or ("to" in words and quantity.kind == "ratio")
+    aimed = quantity.kind == "ratio" and not {"to", "auf"}.isdisjoint(words)
+    absolute = pace is None or "as" in words or aimed
     if "speed" in words and quantity.kind == "" and value < 1 and "by" not in words:
         absolute = True
     if absolute:

@@ -36,17 +36,19 @@ _GENERIC = frozenset(
 _ENDINGS = re.compile(r"(?:ing|ed|es|s|e)$")
 
 
-def without_article(words: Sequence[str]) -> tuple[str, ...]:
-    """Return the words without articles in front."""
+def without_article(
+    words: Sequence[str], articles: frozenset[str] = frozenset()
+) -> tuple[str, ...]:
+    """Return the words without articles in front: those of English and `articles`."""
     at = 0
-    while at < len(words) - 1 and words[at] in _ARTICLES:
+    while at < len(words) - 1 and words[at] in _ARTICLES | articles:
         at += 1
     return tuple(words[at:])
 
 
 def known_name(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
     """Return the known name the words refer to, by place or by likeness; None if unclear."""
-    bare = without_article(words)
+    bare = without_article(words, numbers.articles)
     if not names or not bare:
         return None
     placed = _by_place(bare, names, numbers)

@@ -187,3 +187,28 @@ class NumberWords:
             return None if ones is None else (ones, at + 1)
         more = self.ones.get(words[at + 1]) if at + 1 < len(words) else None
         return (tens + more, at + 2) if more is not None and 0 < more < 10 else (tens, at + 1)
+
+
+def glued(told: str, tens: Mapping[str, int], ones: Mapping[str, int]) -> Mapping[str, float]:
+    """Return numbers that are written as one word, such as "fünfundzwanzig", "zweieinhalb".
+
+    Parameters
+    ----------
+    told : str
+        The digits as they stand in front, the word between, hundred, and "and a half", parted
+        by slashes; empty for a language that writes numbers apart.
+    """
+    if not told:
+        return {}
+    fronts, joint, hundred, half = (part.split() for part in told.split("/"))
+    front = {word: value for value, word in enumerate(fronts, start=1)}
+    below = {f"{f}{joint[0]}{t}": a + b for f, a in front.items() for t, b in tens.items()}
+    small = {**ones, **tens, **below}
+    found = {word: float(value) for word, value in below.items()}
+    for head, count in (("", 1), *front.items()):
+        found[f"{head}{hundred[0]}"] = 100.0 * count
+        for word, value in small.items():
+            found[f"{head}{hundred[0]}{word}"] = 100.0 * count + value
+            found[f"{head}{hundred[0]}{joint[0]}{word}"] = 100.0 * count + value
+    halves = {**front, **{word: value for word, value in ones.items() if value > 1}}
+    return found | {f"{word}{half[0]}": value + 0.5 for word, value in halves.items()}

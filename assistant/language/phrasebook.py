@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, cast
 
 from assistant.errors import BadInput
-from assistant.language.numbers import Kind, NumberWords
+from assistant.language.numbers import Kind, NumberWords, glued
 from assistant.language.templates import (
     Node,
     Reader,
@@ -78,6 +78,7 @@ class Phrasebook:
     addressed: frozenset[str]
     yes: frozenset[str]
     no: frozenset[str]
+    negating: frozenset[str]
     impure: frozenset[str]
     wrapping: Mapping[str, tuple[Phrase, ...]]
 
@@ -121,10 +122,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     vocabulary |= _phrase_words(_phrases(told))
     vocabulary |= {*numbers.ordinals, *_phrase_words(numbers.also)}
     return Phrasebook(
-        contractions={
-            key: tuple(value.split())
-            for key, value in _pairs(book.get("dialect", "") + book["contractions"])
-        },
+        contractions=_contractions(book, vocabulary),
         fillers=frozenset(_phrases(book["fillers"])),
         vocatives=_vocatives(book["vocatives"]),
         opening=frozenset(opening),
@@ -156,6 +154,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         addressed=_single(classes["addressed"]),
         yes=_single(classes["classes"]["yes"]),
         no=_single("no, nope, nah, nein"),
+        negating=_single(classes["classes"]["no"]),
         impure=_single(classes["impure"]),
         wrapping={name: _longest_first(told) for name, told in classes["answers"].items()},
         real=frozenset(book["real"].split())
@@ -208,7 +207,9 @@ def _numbers(told: Mapping[str, Any]) -> NumberWords:
         kind, factor = key.split(":")
         for name in names.split(","):
             units[name.strip()] = (cast("Kind", kind.strip()), float(factor))
-    also = {tuple(key.split()): float(value) for key, value in _pairs(told["also"])}
+    whole = glued(told.get("glued", ""), tens, ones)
+    also: dict[Phrase, float] = {(word,): value for word, value in whole.items()}
+    also |= {tuple(key.split()): float(value) for key, value in _pairs(told["also"])}
     return NumberWords(
         ones=ones,
         tens=tens,
@@ -253,6 +254,20 @@ def _turning(book: Mapping[str, Any]) -> set[str]:
     weak = {"at", "in", "for", "as", "once"}
     taken_back = {"sorry", "mean", "meant", "rather", "actually", "instead", "but", "if"}
     return {phrase[0] for phrases in told for phrase in phrases} - weak | taken_back
+
+
+def _contractions(book: Mapping[str, Any], vocabulary: set[str]) -> Mapping[str, Phrase]:
+    """Return what is spelled otherwise elsewhere, words with dots typed without them as well."""
+    told = _pairs(book.get("dialect", "") + book["contractions"])
+    taken = vocabulary | set(book["real"].split())
+    words = [one for one in taken if one.isalpha() and not one.isascii()]
+    ways = [str.maketrans(dict(zip("äöüß", to, strict=True))) for to in _DOTLESS]
+    plain = {word.translate(way): (word,) for way in ways for word in words if len(word) > 3}
+    found = {key: one for key, one in plain.items() if key not in taken}
+    return found | {key: tuple(value.split()) for key, value in told}
+
+
+_DOTLESS = (("a", "o", "u", "ss"), ("ae", "oe", "ue", "ß"), ("ae", "oe", "ue", "ss"))
 
 
 def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:

@@ -92,8 +92,12 @@ def _told(words: Sequence[str], book: Phrasebook, listening: Listening) -> bool:
     """Tell a place from a correction: "the block is ... left", not "move the block left"."""
     if listening.asked == "pose":
         return True
-    stated = ("is", "are", "was", "sits", "lies", "stands", "been", "should")
-    return any(word in stated for word in words) or bool({"target", "goal"} & set(words[:3]))
+    stated, targets = _listed(book, "stated"), _listed(book, "targets")
+    return bool(stated & set(words)) or bool(targets & set(words[:3]))
+
+
+def _listed(book: Phrasebook, name: str) -> frozenset[str]:
+    return frozenset(word for phrase in book.answer_words[f"pose_{name}"] for word in phrase)
 
 
 def _body(
@@ -108,8 +112,8 @@ def _body(
     bodies = {word for phrase in book.answer_words["pose_bodies"] for word in phrase}
     for at, word in enumerate(words):
         if word in bodies:
-            start = _noun_start(words, at)
-            name = " ".join(without_article(words[start : at + 1]))
+            start = _noun_start(words, at, book)
+            name = " ".join(_bare(words[start : at + 1], book))
             similar = next((one for one in listening.objects if word in one.lower().split()), name)
             return similar, start, at + 1
     return _told_first(words, book) if listening.asked == "pose" else None
@@ -132,15 +136,20 @@ def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] 
         named = " ".join(words[start:end])
         return (named, 0, end) if 0 < end - start <= 3 else None
     end = next((at for at, word in enumerate(words) if word in places), 0)
-    name = " ".join(without_article(words[:end]))
+    name = " ".join(_bare(words[:end], book))
     fit = 0 < end <= 4 and not set(words[:end]) & {"it", "this", "that", "i", "you", "we"}
     return (name, 0, end) if fit and not any(char.isdigit() for char in name) else None
 
 
-def _noun_start(words: Sequence[str], at: int) -> int:
+def _bare(words: Sequence[str], book: Phrasebook) -> Sequence[str]:
+    return without_article(words, book.numbers.articles)
+
+
+def _noun_start(words: Sequence[str], at: int, book: Phrasebook) -> int:
     """Return where a noun phrase with its adjectives begins: after the article."""
+    articles = book.numbers.articles | {"the", "a", "my", "our", "your", "this", "that"}
     for start in range(at - 1, max(at - 4, -1), -1):
-        if words[start] in ("the", "a", "my", "our", "your", "this", "that"):
+        if words[start] in articles:
             return start
     return at
 

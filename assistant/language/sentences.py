@@ -32,6 +32,8 @@ _NO_NAMES = (
     "yes ",
     "no ",
     "ok ",
+    "or ",
+    "and ",
 )
 _BEFORE_NAMES = frozenset(
     ("of", "to", "on", "in", "think", "reckon", "suppose", "guess", "believe")
@@ -146,7 +148,7 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     if len(words) > LONGEST_NAME:
         return None, 0.0
     words = _trimmed(words, hearing, new=limit == "new")
-    bare = without_article(texts_of(words))
+    bare = without_article(texts_of(words), _articles(words, hearing))
     part = words[len(words) - len(bare) :]
     if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
         return None, 0.0
@@ -164,6 +166,12 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     if any(w.text in hearing.book.impure for w in part) or any(w.broken for w in part[1:]):
         trust = 0.7
     return value, min(trust, 0.8) if names else trust
+
+
+def _articles(words: Words, hearing: Hearing) -> frozenset[str]:
+    """Return the articles of the language that are no number here: "one step" is counted."""
+    numbers = hearing.book.numbers
+    return frozenset() if numbers.number(texts_of(words), 0) else numbers.articles
 
 
 def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
@@ -215,7 +223,8 @@ def _refers(texts: Phrase, hearing: Hearing) -> bool:
         "lower",
         "put",
     }
-    return bool(set(texts) & steps) or texts[0].endswith("ing") or texts[0] in verbs
+    counted = hearing.book.numbers.ordinal(texts, 0) is not None and texts[1:] in ((), ("one",))
+    return counted or bool(set(texts) & steps) or texts[0].endswith("ing") or texts[0] in verbs
 
 
 def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, float]:

@@ -131,7 +131,7 @@ def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Wo
     if piece in contractions:
         first, *rest = contractions[piece]
         return [Word(first, piece), *(Word(one, "") for one in rest)]
-    for ending in ("n't", "'m", "'re", "'ve", "'ll", "'em"):
+    for ending in ("n't", "'m", "'re", "'ve", "'ll", "'em", "'s"):
         if piece.endswith(ending) and len(piece) > len(ending) and ending in contractions:
             stem = piece[: -len(ending)]
             return [Word(stem, piece), *(Word(one, "") for one in contractions[ending])]
