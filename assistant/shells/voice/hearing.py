@@ -34,7 +34,7 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.phrasebank import mended, near
+from assistant.shells.voice.phrasebank import mended, named, near
 from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
 from assistant.shells.voice.sound import RATE_HZ, Samples
 from assistant.shells.voice.weighing import length_penalty, weighed
@@ -154,7 +154,7 @@ class Hearing:
             text
             for one in [*known][:ALIKE_TO]
             if listening.asked in OPEN
-            for text in mended(one, _teaching(listening))
+            for text in (*mended(one, _teaching(listening)), *self._named(one, listening))
         )
         texts = (*known, *phrases, *mends, *self._alike([*known][:ALIKE_TO]))
         texts = tuple(
@@ -190,6 +190,12 @@ class Hearing:
         if self._language != "english":
             return ()
         return tuple(one for text in heard for one in near(text, ALIKE))
+
+    def _named(self, heard: str, listening: Listening) -> tuple[str, ...]:
+        """Return steps that sound like what was heard where a step's name is asked for."""
+        if listening.asked != "subtask_name" or self._language != "english":
+            return ()
+        return named(heard, (*listening.objects, "object", "target"), ALIKE)
 
     def _read(
         self, one: Recognized, weight: float, recognizer: str, listening: Listening

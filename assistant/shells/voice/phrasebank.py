@@ -13,6 +13,7 @@ from typing import cast
 from rapidfuzz import process
 from rapidfuzz.distance import Levenshtein
 
+from assistant.language.hints import hints
 from assistant.language.phrasebook import phrasebook
 from assistant.language.templates import Choice, Node, Phrases
 from assistant.shells.voice.phonemes import distance, phonemes
@@ -29,6 +30,36 @@ def near(heard: str, count: int, language: str = "english") -> tuple[str, ...]:
         _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
     )
     return tuple(phrases[at] for _, _, at in found)
+
+
+def named(heard: str, things: tuple[str, ...], count: int) -> tuple[str, ...]:
+    """Return so many names of steps, an action and a thing, that sound most like what was heard."""
+    phrases, sounds = _names(things)
+    found = process.extract(
+        _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
+    )
+    return tuple(phrases[at] for _, _, at in found)
+
+
+@cache
+def _names(things: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    told = {
+        name
+        for entry in hints("actions", "english")
+        for phrase in entry["phrases"]
+        for thing in ("", *things)
+        for name in _with_thing(phrase, thing)
+    }
+    phrases = tuple(sorted(told))
+    return phrases, tuple(_letters(phrase) for phrase in phrases)
+
+
+def _with_thing(phrase: str, thing: str) -> Iterator[str]:
+    """Yield an action's phrase with the thing it concerns: "move block up", "move up block"."""
+    first, gap, last = (part.strip() for part in phrase.partition("..."))
+    yield " ".join(f"{first} {last} {thing}".split())
+    if gap and thing:
+        yield f"{first} {thing} {last}"
 
 
 def mended(heard: str, words: Sequence[str]) -> tuple[str, ...]:

@@ -5,7 +5,8 @@ Run ``python -m assistant.shells.voice.train_spotter`` where espeak-ng and flite
 The weights shipped were made with Piper's en_US-joe-medium, 14 mixed Kokoro voices, and as
 people half of the recordings (those whose name's SHA-256 is even) of Picovoice's
 speech-to-intent benchmark (Apache-2.0) and the words other than stop of eleven speakers of
-Speech Commands (CC BY 4.0). Speakers of the benchmarks are never trained on.
+Speech Commands (CC BY 4.0), and clips of Common Voice (CC0); `NOTICE.md` beside the weights
+names those they are owed to. Speakers of the benchmarks are never trained on.
 """
 
 from __future__ import annotations

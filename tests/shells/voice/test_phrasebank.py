@@ -8,7 +8,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
 from assistant.shells.voice.deciding import is_unknown
-from assistant.shells.voice.phrasebank import MOST_WORDS, mended, near
+from assistant.shells.voice.phrasebank import MOST_WORDS, mended, named, near
 
 pytestmark = pytest.mark.voice
 
@@ -39,3 +39,11 @@ def test_a_name_is_mended_by_one_word_that_sounds_alike() -> None:
     words = ("place", "target", "open")
     assert mended("please object on target", words) == ("place object on target",)
     assert mended("place object on target", words) == ()
+
+
+@pytest.mark.parametrize(
+    ("heard", "meant"),
+    [("move hyper object", "move up object"), ("relief cop", "release cup")],
+)
+def test_a_step_is_found_by_sound(heard: str, meant: str) -> None:
+    assert meant in named(heard, ("cup", "object"), 8)
