@@ -8,7 +8,7 @@ told to move while the arm still brakes is latched until it stands; another stop
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from assistant.dialogue import effects as wanted
 from assistant.dialogue.events import ArmReported, Checked, Event
@@ -22,6 +22,9 @@ from assistant.session.conditions import Expected, Surroundings, expectations
 from assistant.session.equipment import Equipment
 from assistant.session.heeding import Heeding
 from assistant.session.holding import with_held
+
+if TYPE_CHECKING:
+    from assistant.session.ordering import Planned
 
 ENDS = ("finished", "halted", "unmet")
 """Reports after which the arm rests."""
@@ -39,6 +42,8 @@ class Run:
     motion : JointPath
     conditions : Expected
         Of its primitives; none where a demonstration is replayed as it was.
+    order : tuple of str
+        Of parts that may come in any, as they are done; empty where that is as shown.
     """
 
     scene: Scene
@@ -46,6 +51,7 @@ class Run:
     path: HandPath
     motion: JointPath
     conditions: Expected = ()
+    order: tuple[str, ...] = ()
 
 
 class Mover:
@@ -129,15 +135,31 @@ class Mover:
 
         Of a halted run (`anew`) only the rest, from the measured pose.
         """
-        whole = paths.adapted(effect.task, effect.scene, effect.setup, effect.speed)
-        look = self.look if effect.anew else None
-        path = whole if look is None else paths.rest_of(whole, look, self._primitive_at)
-        found = self._equipment.planner.plan(path, effect.scene, effect.setup, look)
-        if isinstance(found, Refusal):
-            return Checked(effect.setup, found)
-        conditions = expectations(effect.task)
-        self._checked = Run(effect.scene, effect.setup, whole, found, conditions)
-        return Checked(effect.setup, None, float(found.t_s[-1]), found.note)
+        found = self._rest_planned(effect) if effect.anew else self._whole_planned(effect)
+        if isinstance(found.motion, Refusal):
+            return Checked(effect.setup, found.motion)
+        conditions, motion = expectations(found.task), found.motion
+        run = Run(effect.scene, effect.setup, found.path, motion, conditions, found.order)
+        self._checked = run
+        return Checked(effect.setup, None, float(motion.t_s[-1]), motion.note)
+
+    def _whole_planned(self, effect: wanted.Check) -> Planned:
+        # Planning, and all that learning imports, happens where it is first needed.
+        from assistant.session.ordering import planned
+
+        planner = self._equipment.planner
+        return planned(effect.task, effect.scene, effect.setup, planner, speed=effect.speed)
+
+    def _rest_planned(self, effect: wanted.Check) -> Planned:
+        """Plan what is left of a run, in the order it was begun in."""
+        from assistant.session.ordering import Planned, in_order
+
+        order = () if self._run is None else self._run.order
+        task, look = in_order(effect.task, order), self.look
+        whole = paths.adapted(task, effect.scene, effect.setup, effect.speed)
+        rest = paths.rest_of(whole, look, self._primitive_at)
+        found = self._equipment.planner.plan(rest, effect.scene, effect.setup, look)
+        return Planned(task, order, whole, found)
 
     def move(self, effect: wanted.Move) -> None:
         """Begin what was checked last; unless it is the rest of a run, all is put in place."""

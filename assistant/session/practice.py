@@ -11,7 +11,7 @@ from assistant.dialogue.reporting import unmet_line
 from assistant.errors import BadInput
 from assistant.geometry import Array
 from assistant.language.speech import phrase
-from assistant.learning.adaptation import AdaptationPlan, adapt, plan_adaptation
+from assistant.learning.adaptation import AdaptationPlan
 from assistant.learning.preparing import carried_out
 from assistant.model.motion import Alignment, ArmReport, JointPath, Refusal
 from assistant.model.placing import alignments
@@ -21,6 +21,7 @@ from assistant.model.task import Task, primitives
 from assistant.ports import Arm, Clock, Planner
 from assistant.session.conditions import Surroundings, expectations
 from assistant.session.heeding import Heeding
+from assistant.session.ordering import planned
 
 Status = Literal["done", "missed", "refused"]
 
@@ -93,6 +94,8 @@ def practice_setup(
 ) -> SetupResult:
     """Carry out a learned task in one setup and return how well it went.
 
+    Parts that may come in any order are done in another one where the one shown is refused.
+
     Parameters
     ----------
     task : Task
@@ -119,16 +122,15 @@ def practice_setup(
     """
     begun_s = clock.now_s() if clock else 0.0
     check_placed(task, setup)
-    path = adapt(plan or plan_adaptation(task), scene, setup, speed=speed)
-    motion = planner.plan(path, scene, setup)
-    if isinstance(motion, Refusal):
-        result = SetupResult(setup.name, "refused", reason=_refused(motion))
+    found = planned(task, scene, setup, planner, speed=speed, plan=plan)
+    if isinstance(found.motion, Refusal):
+        result = SetupResult(setup.name, "refused", reason=_refused(found.motion))
     elif arm is None:
-        result = _planned(setup.name, motion)
+        result = _planned(setup.name, found.motion)
     else:
         arm.arrange(scene, setup)
-        around = Surroundings(scene, setup, path, arm.look().gripper_m)
-        result = _run(arm, motion, task, around)
+        around = Surroundings(scene, setup, found.path, arm.look().gripper_m)
+        result = _run(arm, found.motion, found.task, around)
     return replace(result, wall_s=clock.now_s() - begun_s) if clock else result
 
 
