@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assistant.language.answers import OPEN
 from assistant.language.clauses import clause
-from assistant.language.compounds import compound, corrected, once_more
+from assistant.language.compounds import compound, corrected, once_more, united
 from assistant.language.mending import mended
 from assistant.language.parsing import (
     ACTING,
@@ -63,6 +63,7 @@ def consent(words: Words, hearing: Hearing) -> Parse | None:
 
 def command(words: Words, hearing: Hearing) -> Parse | None:
     """Return the clause as a whole, corrected by its speaker, or cut into several."""
+    words = united(words, hearing)
     repeated = once_more(words, hearing)
     if repeated is not None:
         return repeated
@@ -102,6 +103,10 @@ def _mended(words: Words, hearing: Hearing) -> Parse | None:
 def settled(parse: Parse, listening: Listening) -> Parse:
     """Drop a yes that only leads into the rest, and a no that answers nothing."""
     acts: tuple[TeacherAct, ...] = parse.acts
+    if listening.asked in _YES_OR_NO:
+        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
+    if len(acts) > 1 and isinstance(acts[0], Affirm | Deny) and listening.asked in OPEN:
+        acts = acts[1:]
     if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
         same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
         while len(acts) > 1 and isinstance(acts[0], Affirm) and isinstance(acts[1], Affirm):
@@ -114,8 +119,6 @@ def settled(parse: Parse, listening: Listening) -> Parse:
         acts = tuple(act for act in acts if not isinstance(act, Again))
     if listening.asked in _YES_OR_NO - {"ready"} and isinstance(acts[0], Affirm):
         acts = acts[:1] + tuple(act for act in acts[1:] if not isinstance(act, Start | Resume))
-    if listening.asked in _YES_OR_NO:
-        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
     if any(isinstance(act, Resume) for act in acts):

@@ -63,6 +63,26 @@ def compound(words: Words, hearing: Hearing) -> Parse | None:
     return joined or _partly(words, hearing)
 
 
+def united(words: Words, hearing: Hearing) -> Words:
+    """Return the words with a unit said once at each number: "two cm left and one up"."""
+    texts, numbers, motion = texts_of(words), hearing.book.numbers, hearing.book.motion
+    found: list[Word] = []
+    unit, at = "", 0
+    while at < len(words):
+        quantity = numbers.quantity(texts, at)
+        end = quantity.end if quantity else at + 1
+        found.extend(words[at:end])
+        ways = (motion.get(texts[end : end + size], "") for size in (3, 2, 1))
+        leading = next((kind for kind in ways if kind), "") in _GROUPS["way"]
+        counted = quantity.kind == "" if quantity else texts[at] in numbers.articles
+        if quantity is not None and quantity.kind == "m":
+            unit = texts[end - 1] if texts[end - 1] in numbers.units else ""
+        elif unit and counted and leading:
+            found.append(Word(unit, ""))
+        at = end
+    return tuple(found)
+
+
 def _partly(words: Words, hearing: Hearing) -> Parse | None:
     """Return what some stretches ask if the others mean nothing here, as a guess."""
     cuts = [

@@ -3,12 +3,24 @@ from typing import Any
 import pytest
 
 from assistant.language.completion import suggestions
+from assistant.language.numbers import glued
+from assistant.language.phrasebook import phrasebook
+from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
-from assistant.model.teacher_acts import ASKED, STAGES, Stop, Unknown, act_to_json
+from assistant.model.teacher_acts import (
+    ASKED,
+    STAGES,
+    Gripper,
+    SetPose,
+    Stop,
+    Translate,
+    Unknown,
+    act_to_json,
+)
 from tests.benchmarks.bench_language import Row, rows, same
 
-ROWS = list(rows("german.yaml"))
+ROWS = [*rows("german.yaml"), *rows("german_ways.yaml")]
 
 
 def _right(row: Row) -> bool:
@@ -47,3 +59,81 @@ def test_any_question_and_stage_has_an_answer(stage: Any) -> None:
 
 def test_completion_offers_german() -> None:
     assert "hilfe" in suggestions(Listening(stage="practice"), "german")
+
+
+PRACTICE = Listening(stage="practice")
+
+
+@pytest.mark.parametrize("word", ["hast", "halb", "hält", "holt", "hole", "hat", "behalte", "stab"])
+def test_words_of_holding_stop_no_motion(word: str) -> None:
+    assert not has_stop_word(f"was {word} du da", "german")
+
+
+@pytest.mark.parametrize("text", ["halt", "hallt!", "sofort anhalten", "stoppp", "hör auf, stopp"])
+def test_cries_stop_a_motion(text: str) -> None:
+    moving = Listening(stage="practice", moving=True)
+    assert understand(text, moving, "german").acts == (Stop(),)
+
+
+def test_numbers_in_one_word_are_those_in_several() -> None:
+    numbers = phrasebook("german").numbers
+    for ten_word, ten in numbers.tens.items():
+        for one_word, one in list(numbers.ones.items())[2:10]:
+            assert numbers.number((f"{one_word}und{ten_word}",), 0) == (ten + one, 1)
+            whole = f"{one_word}hundert{one_word}und{ten_word}"
+            assert numbers.number((whole,), 0) == (100 * one + ten + one, 1)
+    assert numbers.number(("zweieinhalb",), 0) == (2.5, 1)
+    assert glued("", numbers.tens, numbers.ones) == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "typed"),
+    [
+        ("zwei Zentimeter höher", "zwei zentimeter hoeher"),
+        ("zwei Zentimeter zurück", "zwei zentimeter zuruck"),
+        ("öffne die Hand", "offne die hand"),
+        ("schließe die Hand", "schliesse die hand"),
+        ("fünf Millimeter nach vorne", "fuenf millimeter nach vorne"),
+    ],
+)
+def test_umlauts_may_be_typed_in_any_way(text: str, typed: str) -> None:
+    told, meant = (understand(one, PRACTICE, "german").acts for one in (text, typed))
+    assert told == meant != (Unknown(),)
+
+
+@pytest.mark.parametrize(
+    ("text", "acts"),
+    [
+        ("das Ziel steht 5 cm weiter rechts", (SetPose("ziel", by_mm=(0.0, -50.0, 0.0)),)),
+        ("die Hand ist 5 cm zu weit rechts", (Translate("left", distance_m=0.05),)),
+        (
+            "zwei Zentimeter nach links und einen nach oben",
+            (Translate("left", distance_m=0.02), Translate("up", distance_m=0.01)),
+        ),
+        (
+            "mach die Hand zu und dann hoch damit",
+            (Gripper("close"), Translate("up")),
+        ),
+        ("die Hand ist zu hoch", (Translate("down"),)),
+    ],
+)
+def test_places_are_told_apart_from_corrections(text: str, acts: Any) -> None:
+    assert understand(text, PRACTICE, "german").acts == acts
+
+
+@pytest.mark.parametrize("name", ["der rote Becher", "den roten Becher", "dem roten Becher"])
+def test_names_have_no_article(name: str) -> None:
+    (act,) = understand(f"{name} steht 5 cm weiter links", PRACTICE, "german").acts
+    assert isinstance(act, SetPose)
+    assert act.object == name.split(" ", 1)[1].lower()
+
+
+@pytest.mark.parametrize("text", ["die Hand schlurft nach links", "bring glimpfig was nach oben"])
+def test_unexplained_words_lower_confidence(text: str) -> None:
+    assert understand(text, PRACTICE, "german").confidence < 0.85
+
+
+def test_a_unit_said_once_counts_for_all() -> None:
+    (first, second) = understand("two centimeters left and one up", PRACTICE).acts
+    assert first == Translate("left", distance_m=0.02)
+    assert second == Translate("up", distance_m=0.01)
