@@ -7,6 +7,7 @@ a body to the hand.
 
 from __future__ import annotations
 
+import math
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
@@ -26,10 +27,12 @@ from sim.world import CONTROL_S, EASED, Allowed, Fault
 
 OTHER, LINK, FORCE = 2, 3, 9
 """Fields of a contact point: the other body, the own link, the normal force."""
-RENEW_RAD = np.deg2rad(5.0)
-"""Contacts of a hand that has turned by more are found anew; each time a body may slip a little."""
-SAME_TURN = float(np.cos(RENEW_RAD / 2.0))
-"""Quaternions whose product is less, either way round, are further apart than that."""
+RENEW_RAD, RENEW_STILL_RAD = np.deg2rad(5.0), np.deg2rad(0.5)
+"""Contacts of a hand that has turned by more are found anew; each time a body may slip a little.
+A hand that does not turn any more has them found anew earlier: what strains the pads is gone
+before a body is looked at and let go."""
+STILL_RAD = np.deg2rad(0.01)
+"""A hand that turns less in a tick does not turn."""
 LATER_TICKS = 2
 """The second pad finds its contacts so long after the first."""
 
@@ -79,7 +82,8 @@ class BulletWorld:
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
         self._easing = "nothing"
         self._eased = False
-        self._found_at, self._late = forward(q), 0
+        self._found_at = self._hand = forward(q)
+        self._late = 0
         self._anchor("")
         self.seat(q)
 
@@ -207,7 +211,9 @@ class BulletWorld:
         if self._late == 1:
             self._forget(self._pads[1:])
         self._late = max(self._late - 1, 0)
-        if abs(float(hand[3:] @ self._found_at[3:])) < SAME_TURN:
+        turned, turning = _apart(hand, self._found_at), _apart(hand, self._hand)
+        self._hand = hand
+        if turned > RENEW_RAD or (turned > RENEW_STILL_RAD and turning < STILL_RAD):
             self._found_at, self._late = hand, LATER_TICKS
             self._forget(self._pads[:1])
 
@@ -263,3 +269,16 @@ class BulletWorld:
     def close(self) -> None:
         """End the simulation."""
         self._client.close()
+
+
+def _apart(hand: Array, other: Array) -> float:
+    """Return the angle between two poses of the hand: every tick, so without arrays."""
+    x, y, z, w = hand[3:].tolist()
+    a, b, c, d = other[3:].tolist()
+    same = w * d + x * a + y * b + z * c
+    turn = (
+        w * a - x * d - y * c + z * b,
+        w * b - y * d - z * a + x * c,
+        w * c - z * d - x * b + y * a,
+    )
+    return 2.0 * math.atan2(math.hypot(*turn), abs(same))

@@ -38,6 +38,8 @@ NOT_WHERE_PLANNED_DEG = 1.0
 LOST_TICKS = 3
 SETTLED_SHARE = 0.25
 """A correction on arrival is complete by this share of the way down: a peg is not in yet."""
+SETTLING_TICKS = 8
+"""What the pads strained while the hand turned is gone so long after its arrival."""
 
 
 class SimulatedArm:
@@ -262,9 +264,11 @@ class SimulatedArm:
     def _look_again(self, playback: Playback) -> None:
         # What crept while the body was carried is seen on arrival at the docking pose.
         stop = playback.pending[0] if playback.pending else None
-        if stop is not None and self._carried and playback.sample == stop.docking_at:
-            down = max(int(SETTLED_SHARE * (stop.at - playback.sample)), 1)
-            self._correct(self._carried, playback.sample, playback.sample + down)
+        if stop is None or not self._carried:
+            return
+        down = max(int(SETTLED_SHARE * (stop.at - stop.docking_at)), 1)
+        if playback.sample == stop.docking_at + min(SETTLING_TICKS, down // 2):
+            self._correct(self._carried, playback.sample, stop.docking_at + down)
 
     def _passed(self, playback: Playback) -> list[ArmReport]:
         told = []
