@@ -23,6 +23,7 @@ from assistant.language.words import Words, said
 from assistant.model.feedback import When
 from assistant.model.teacher_acts import (
     AdjustSpeed,
+    Cue,
     Gripper,
     KeyState,
     Rotate,
@@ -226,7 +227,7 @@ def _place(words: Words, hearing: Hearing) -> Words:
 
 def key_state(words: Words, hearing: Hearing) -> Parse | None:
     """Read what a teacher who demonstrates calls attention to."""
-    if hearing.listening.stage != "demonstration":
+    if hearing.listening.stage != "demonstration" or _cued_behind(words, hearing):
         return None
     lists = hearing.book.answer_words
     marked, words_before = False, words
@@ -239,7 +240,8 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
     concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
-    calling = bool(words_before) and words_before[0].text in _CALLING
+    callings = {word for phrase in lists["key_calling"] for word in phrase}
+    calling = bool(words_before) and words_before[0].text in callings
     concerned = concerned or (calling and bool(set(texts) & verbs - weak) and len(texts) > 3)
     if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
         return None
@@ -251,9 +253,11 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
 
 
-_CALLING = frozenset(
-    ("look", "see", "watch", "note", "notice", "observe", "attention", "careful", "mind", "mark")
-)
+def _cued_behind(words: Words, hearing: Hearing) -> bool:
+    """Tell whether the last clause is a cue: "the cup is full now, next step"."""
+    last = max((at for at in range(1, len(words)) if words[at].broken), default=0)
+    told = best_sentence(words[last:], hearing) if last else None
+    return told is not None and isinstance(told.acts[0], Cue)
 
 
 def _stated_now(texts: Phrase) -> bool:
