@@ -44,6 +44,7 @@ import numpy as np
 from assistant.model.listening import Listening
 from assistant.shells.voice.endpointing import silero
 from assistant.shells.voice.hearing import Hearing
+from assistant.shells.voice.memory import give_back
 from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.spotter import StopSpotter
 hearing, spotter, activity = Hearing(installed()), StopSpotter(), silero()
@@ -52,6 +53,7 @@ rng = np.random.default_rng(1)
 for _ in range(5):
     sound = 0.1 * rng.standard_normal(32000).astype(np.float32)
     hearing.hear(sound, Listening(stage="practice"))
+    give_back()
     spotter.hear(sound)
     activity(sound[:512])
 most_mb = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024

