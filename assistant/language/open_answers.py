@@ -18,6 +18,7 @@ from assistant.language.parsing import (
 )
 from assistant.language.repair import respelled
 from assistant.language.words import Words
+from assistant.language.wrappings import said_of
 from assistant.model.teacher_acts import (
     AddSubtask,
     AdjustLast,
@@ -103,6 +104,7 @@ def answered(words: Words, hearing: Hearing) -> Parse:
         spelled = trimmed(respelled(words, hearing.book, ()), hearing.book)
         words = spelled if wrapped(spelled, asked, hearing.book) else words
         bare = trimmed(words, hearing.book)
+    bare = said_of(bare, asked, hearing.book)
     asking = bare and asks(bare) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)

@@ -62,8 +62,11 @@ def bared(words: Words, book: Phrasebook) -> Iterator[Words]:
             if start < end and (start, end) not in seen:
                 seen.add((start, end))
                 yield words[start:end]
-                if start and words[start - 1].text == "mind" and words[start].text.endswith("ing"):
+                if start and words[start - 1].text in _DOING and words[start].text.endswith("ing"):
                     yield (_base(words[start], book), *words[start + 1 : end])
+
+
+_DOING = frozenset(("mind", "about", "try", "appreciate"))
 
 
 def undressed(words: Words, book: Phrasebook) -> Iterator[Words]:

@@ -119,7 +119,7 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
             article = pair[0].text in ("a", "an", "the") and whole not in book.vocabulary
             meant = "" if article else _sounding(whole, book.vocabulary)
         if meant:
-            found.append(Word(meant, " ".join(w.said for w in pair), words[at].broken))
+            found.append(Word(meant, " ".join(w.said for w in pair if w.said), words[at].broken))
             at += 2
         else:
             found.append(words[at])
@@ -168,7 +168,7 @@ def homophones(words: Words, book: Phrasebook) -> Words:
             at += 1
             continue
         meant = book.homophones[tuple(word.text for word in words[at : at + size])]
-        said = " ".join(word.said for word in words[at : at + size])
+        said = " ".join(word.said for word in words[at : at + size] if word.said)
         found.append(Word(meant[0], said, words[at].broken))
         found.extend(Word(one, "") for one in meant[1:])
         at += size

@@ -107,55 +107,13 @@ _OTHERS = frozenset(
 # The same in other languages: words that people say of what a hand holds.
 _ALSO_OTHERS = {
     "german": frozenset(
-        [
-            "hast",
-            "hasst",
-            "halb",
-            "halbe",
-            "hält",
-            "hälst",
-            "holt",
-            "holst",
-            "hole",
-            "hol",
-            "hielt",
-            "hat",
-            "hatte",
-            "hals",
-            "hart",
-            "haut",
-            "haft",
-            "half",
-            "halle",
-            "hall",
-            "halm",
-            "hallo",
-            "haut",
-            "hakt",
-            "habt",
-            "harte",
-            "kalt",
-            "alt",
-            "salat",
-            "statt",
-            "stoff",
-            "stopf",
-            "stab",
-            "stoß",
-            "stob",
-            "step",
-            "schalt",
-            "stoppel",
-            "frei",
-            "freie",
-            "fräse",
-            "freue",
-            "notiz",
-            "abbiegen",
-            "abbringen",
-        ]
+        ["hast", "hasst", "halb", "halbe", "hält", "hälst", "holt", "holst", "hole", "hol",
+         "hielt", "hat", "hatte", "hals", "hart", "haut", "haft", "half", "halle", "hall",
+         "halm", "hallo", "hakt", "habt", "harte", "kalt", "alt", "salat", "statt", "stoff",
+         "stopf", "stab", "stoß", "stob", "step", "schalt", "stoppel", "frei", "freie", "fräse",
+         "freue", "notiz", "abbiegen", "abbringen"]
     )
-}
+}  # fmt: skip
 # Verbs and things that only contain the word: "behalte das", "die Schalter", "der Inhalt".
 _WITHIN = {"german": re.compile("(be|ent|er|in|aus|ge|ver|unter|haus|auf|sc|vor)halt")}
 _WORDS = re.compile(r"[^\W\d_]+")

@@ -161,5 +161,7 @@ def _named_part(words: Words, hearing: Hearing) -> Parse | None:
     found = known_name(texts_of(bare), hearing.listening.subtasks, hearing.book.numbers)
     if found is not None:
         return Parse((Optional(found),), SURE)
+    if set(texts_of(bare)) & hearing.book.impure:
+        return None
     text = " ".join(w.said for w in bare if w.said and w.text not in ("the", "a"))
     return Parse((Optional(text),), 0.7) if text else None

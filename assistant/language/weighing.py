@@ -26,6 +26,7 @@ from assistant.model.teacher_acts import (
     Show,
     Stop,
     Unknown,
+    act_name,
     act_to_json,
 )
 
@@ -62,7 +63,8 @@ def weighed(parse: Parse, heard: Words, chances: Chances, hearing: Hearing) -> P
     best, worth = parse, _logit(_grammar(parse)) + _TRUST * _log(told)
     for other, likely in _others(parse, heard, hearing, chances):
         same = [label_of(act) for act in other.acts] == [label_of(act) for act in parse.acts]
-        if other.acts == parse.acts or (same and parse.how == "mended"):
+        again = [act_name(act) for act in other.acts] == [act_name(act) for act in parse.acts]
+        if other.acts == parse.acts or (again and parse.how == "mended"):
             continue
         value = _logit(_grammar(other)) + _TRUST * _log(likely)
         value += _SLOT * (_told(other) - _told(parse)) if same else 0.0

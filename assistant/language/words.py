@@ -57,6 +57,23 @@ _AFTER_IS = frozenset(
         "been",
         "ended",
         "finished",
+        "full",
+        "empty",
+        "open",
+        "closed",
+        "ready",
+        "tight",
+        "loose",
+        "here",
+        "there",
+        "held",
+        "gripped",
+        "touching",
+        "holding",
+        "upright",
+        "stuck",
+        "shut",
+        "clear",
     ]
 )
 _OWNED = frozenset(

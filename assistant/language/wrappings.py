@@ -12,6 +12,7 @@ from assistant.model.teacher_acts import Asked
 NAMES: frozenset[Asked] = frozenset(("task_name", "subtask_name", "which", "missing_step", "body"))
 _ARTICLES = frozenset(("a", "an", "the", "some", "one", "another", "my", "your", "our", "two"))
 _REFERRING = frozenset(("it", "that", "this", "itself", "es", "das"))
+_SUBJECTS = frozenset(("i", "you", "we", "they", "it", "he", "she", "there", "and"))
 LONGEST_NAME = 6
 
 
@@ -27,6 +28,14 @@ def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
 def said_of(words: Words, asked: Asked, book: Phrasebook) -> Words:
     """Return what "what we want in the end is ..." or "the whole point of it is that ..." says."""
     texts = _texts(words)
+    doing = [at for at in range(1, len(texts) - 1) if texts[at + 1].endswith("ing")]
+    if asked in ("task_name", "subtask_name") and any(_copula(texts, at) for at in doing):
+        return words[max(at for at in doing if _copula(texts, at)) + 1 :]
+    heading = next((at for at in range(1, min(len(words), 4)) if words[at].broken), 0)
+    headings = {word for phrase in book.wrapping.get("goal_nouns", ()) for word in phrase}
+    headed = bool(headings & set(texts[:heading])) and set(texts[:heading]) <= headings | _ARTICLES
+    if asked == "goal" and headed:
+        return words[heading:]
     begun = _clause_of(texts, asked, book)
     copulas = [at for at in range(begun, len(texts) - 1) if begun and _copula(texts, at)]
     if not copulas or not begun:
@@ -44,8 +53,8 @@ def _clause_of(texts: Phrase, asked: Asked, book: Phrasebook) -> int:
     whats = {phrase[0] for phrase in book.wrapping.get("whats", ())}
     goals = book.wrapping.get("goal_nouns", ()) if asked == "goal" else ()
     nouns = {phrase[0] for phrase in goals}
-    for at in range(min(3, len(texts))):
-        if texts[at] in whats:
+    for at in range(min(3, len(texts) - 1)):
+        if texts[at] in whats and (texts[at] != "all" or texts[at + 1] in _SUBJECTS):
             return at + 2
         if texts[at] in nouns:
             return at + 1
@@ -53,9 +62,10 @@ def _clause_of(texts: Phrase, asked: Asked, book: Phrasebook) -> int:
 
 
 def _copula(texts: Phrase, at: int) -> bool:
-    if texts[at] in ("would", "will", "should"):
-        return texts[at + 1] == "be" and not texts[min(at + 2, len(texts) - 1)].endswith("ing")
-    return texts[at] in ("is", "are", "was") and not texts[at + 1].endswith(("ing", "ed"))
+    """Tell an "is" that has no "you" or "it" before it, which would begin a new clause."""
+    future = texts[at] in ("would", "will", "should") and texts[at + 1] == "be"
+    told = future or texts[at] in ("is", "are", "was")
+    return told and texts[at - 1] not in _SUBJECTS and texts[at + 1] != "about"
 
 
 def _marked(words: Words, book: Phrasebook) -> Words:

@@ -32,7 +32,7 @@ STAGES: dict[str, Stage] = {
     "p": "practice",
 }
 FILES = (
-    *("tuning", *(f"tuning{number}" for number in range(2, 10))),
+    *("tuning", *(f"tuning{number}" for number in range(2, 12))),
     *("stress1", "stress2", "ways"),
 )
 SURE = 0.85
