@@ -44,7 +44,10 @@ def _doubtful(
     dialogue: Dialogue, event: Heard, meant: Sequence[acts.TeacherAct]
 ) -> tuple[str, ...]:
     state = dialogue.state
-    if not misheard(event) or not isinstance(state, Introducing) or _asks_otherwise(dialogue):
+    # A step of one part is rare, and "one" sounds like "none".
+    rare = any(isinstance(act, acts.Inform) and act.value in (1, "1") for act in meant)
+    doubtful = misheard(event) or rare
+    if not doubtful or not isinstance(state, Introducing) or _asks_otherwise(dialogue):
         return ()
     answers = all(isinstance(act, acts.Inform) or answers_by_words(dialogue, act) for act in meant)
     return (event.text.strip(),) if answers and state.asked in SHAPING else ()

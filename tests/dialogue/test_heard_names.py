@@ -90,6 +90,11 @@ def test_a_number_heard_surely_or_typed_is_taken() -> None:
         assert teacher.asked == "subtask_name"
 
 
+def test_one_is_read_back_for_it_sounds_like_none() -> None:
+    teacher = asked_for_steps().hear(acts.Inform(1), text="one", voice=True)
+    assert teacher.lines[-1].slots["names"] == ["one"]
+
+
 @pytest.mark.parametrize("act", [acts.Inform("move up"), acts.Translate("up")])
 def test_a_step_not_heard_surely_is_read_back_as_it_was_heard(act: acts.TeacherAct) -> None:
     teacher = asked_for_steps().tell(2).hear(act, text="move up", sure=0.6, voice=True)
