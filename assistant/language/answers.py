@@ -56,15 +56,25 @@ def trimmed(words: Words, book: Phrasebook) -> Words:
     changed = True
     while changed and words:
         changed = False
+        texts = _texts(words)
         for phrase in heads:
-            if len(phrase) < len(words) and _texts(words[: len(phrase)]) == phrase:
+            if phrase[0] == texts[0] and _shorter(phrase, texts) and texts[: len(phrase)] == phrase:
                 words, changed = words[len(phrase) :], True
                 break
+        texts = _texts(words)
         for phrase in tails:
-            if len(phrase) < len(words) and _texts(words[-len(phrase) :]) == phrase:
+            if phrase[-1] == texts[-1] and _shorter(phrase, texts) and _ends(texts, phrase):
                 words, changed = words[: -len(phrase)], True
                 break
     return words
+
+
+def _shorter(phrase: Phrase, texts: Phrase) -> bool:
+    return len(phrase) < len(texts)
+
+
+def _ends(texts: Phrase, phrase: Phrase) -> bool:
+    return texts[-len(phrase) :] == phrase
 
 
 def wrapped(words: Words, asked: Asked, book: Phrasebook) -> bool:

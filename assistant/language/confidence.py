@@ -77,7 +77,7 @@ def sureness(reading: Reading) -> float:
     weights = _weights(reading.hearing.language)
     if not weights or not reading.chances or parse.exact or isinstance(parse.acts[0], Inform):
         return parse.score
-    if _names_known(reading):
+    if _names_known(reading) or _consenting(reading):
         return parse.score
     told = traits(reading)
     if told["margin"] < _RIVALED:
@@ -87,6 +87,13 @@ def sureness(reading: Reading) -> float:
     if parse.score >= ACTING and right < _OBJECTION:
         return min(parse.score, GUESSED)
     return max(parse.score, ACTING) if right >= _CERTAIN else parse.score
+
+
+def _consenting(reading: Reading) -> bool:
+    """Whether yes and praise are the only rivals: after a question they say the same."""
+    ours = {label_of(act) for act in reading.parse.acts}
+    first = max(reading.chances, key=lambda one: reading.chances[one])
+    return ours | {first} <= {"affirm", "approve"}
 
 
 def _names_known(reading: Reading) -> bool:

@@ -160,3 +160,10 @@ def test_heard_is_the_line_as_given() -> None:
     for text in ("A bit mroe LEFT!", "Yes.", "stop", "..."):
         for moving in (False, True):
             assert understand(text, Listening(stage="practice", moving=moving)).heard == text
+
+
+def test_praise_behind_a_yes_leaves_it_sure() -> None:
+    where = Listening(stage="practice", asked="satisfied")
+    meant = understand("Yes, that was perfect, thank you very much", where)
+    assert meant.acts == (Affirm(),)
+    assert meant.confidence >= 0.85
