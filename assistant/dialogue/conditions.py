@@ -7,7 +7,8 @@ from typing import Any
 from assistant.dialogue.runs import Run
 from assistant.dialogue.state import Knowledge
 from assistant.dialogue.turn import plain_condition
-from assistant.model.task import Condition, Primitive, Task, primitives
+from assistant.model.conditions import Condition
+from assistant.model.task import Primitive, Task, primitives
 
 SEEN = ("hand", "docked", "held", "on", "aligned", "clear")
 """Kinds of condition whose coming true the arm reports."""

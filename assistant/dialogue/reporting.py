@@ -22,9 +22,10 @@ from assistant.dialogue.turn import (
     say,
     then,
 )
+from assistant.model.conditions import Condition
 from assistant.model.motion import GOING_ON, ArmReport, Refusal
 from assistant.model.robot_acts import About, RobotAct
-from assistant.model.task import Condition, Index, Primitive, primitives
+from assistant.model.task import Index, Primitive, primitives
 
 NAMED = ("no_setup",)
 """Refusals that have a sentence of their own."""

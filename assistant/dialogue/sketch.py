@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from assistant.model.task import Action, Condition, Index, Order, Primitive, Subtask
+from assistant.model.conditions import Condition
+from assistant.model.task import Action, Index, Order, Primitive, Subtask
 
 
 @dataclass(frozen=True, slots=True)

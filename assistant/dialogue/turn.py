@@ -10,9 +10,10 @@ from typing import Any
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.sketch import Sketch, walk
 from assistant.dialogue.state import Change, Dialogue, Knowledge
+from assistant.model.conditions import Condition
 from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.setup import Place
-from assistant.model.task import Action, Condition, Index
+from assistant.model.task import Action, Index
 from assistant.model.teacher_acts import Asked
 
 Turn = tuple[Dialogue, tuple[Effect, ...]]

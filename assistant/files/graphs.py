@@ -7,7 +7,8 @@ import re
 from xml.etree import ElementTree
 
 from assistant.files.wording import action_words, conditions_words
-from assistant.model.task import Condition, Primitive, Subtask, Task, walk
+from assistant.model.conditions import Condition
+from assistant.model.task import Primitive, Subtask, Task, walk
 
 _NO_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 

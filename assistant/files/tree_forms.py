@@ -8,17 +8,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Discriminator, Field, Tag, model_validator
 
 from assistant.files.forms import Form, Name, Text, Truth
-from assistant.model.task import (
-    CONDITIONS,
-    Action,
-    Condition,
-    Order,
-    Primitive,
-    Role,
-    Subtask,
-    TaskObject,
-    Verb,
-)
+from assistant.model.conditions import CONDITIONS, Condition
+from assistant.model.task import Action, Order, Primitive, Role, Subtask, TaskObject, Verb
 
 Move = Literal["approach", "depart", "to", "up", "down", "left", "right", "forward", "backward"]
 Turn = Literal[

@@ -6,8 +6,9 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from assistant.model.conditions import Condition
 from assistant.model.feedback import Feedback
-from assistant.model.task import Condition, Primitive
+from assistant.model.task import Primitive
 from assistant.model.transcript import (
     Demonstrate,
     Expect,

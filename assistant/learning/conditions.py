@@ -13,9 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from assistant.geometry import Array, relative
+from assistant.model.conditions import Condition
 from assistant.model.lesson import Station
 from assistant.model.motion import Indices
-from assistant.model.task import Condition, Primitive
+from assistant.model.task import Primitive
 
 Conditions = Mapping[str, tuple[Condition, ...]]
 

@@ -10,9 +10,9 @@ from typing import Literal
 import numpy as np
 
 from assistant.geometry import Array
+from assistant.model.conditions import Condition
 from assistant.model.demonstration import frozen_array
 from assistant.model.feedback import Feedback
-from assistant.model.task import Condition
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import Literal
 
-if TYPE_CHECKING:
-    from assistant.model.lesson import Lesson
+from assistant.model.conditions import Condition
+from assistant.model.lesson import Lesson
 
 Role = Literal["object", "target"]
 Order = Literal["sequential", "any"]
@@ -30,8 +30,6 @@ TURNS = (
     "counterclockwise",
 )
 HAND = ("open", "close")
-ConditionKind = Literal["hand", "docked", "held", "on", "aligned", "above", "clear"]
-CONDITIONS: tuple[ConditionKind, ...] = get_args(ConditionKind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,25 +56,6 @@ class Action:
     verb: Verb
     way: str
     object: str | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Condition:
-    """A state to hold before or after a primitive.
-
-    Parameters
-    ----------
-    kind : str
-        One of `CONDITIONS`.
-    object : str, optional
-        The object concerned; for ``hand`` its state, ``open`` or ``closed``.
-    target : str, optional
-        For ``on``, ``aligned`` and ``above``.
-    """
-
-    kind: ConditionKind
-    object: str | None = None
-    target: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

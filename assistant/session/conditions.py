@@ -21,11 +21,12 @@ from assistant.geometry import (
     inverse,
     relative,
 )
+from assistant.model.conditions import Condition
 from assistant.model.motion import HandPath, HandStop
 from assistant.model.placing import alignment, in_line, place_of, place_on, rests_on
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
-from assistant.model.task import Condition, Task, primitives
+from assistant.model.task import Task, primitives
 from assistant.ports import ArmLook
 
 When = Literal["before", "until"]

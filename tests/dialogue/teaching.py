@@ -13,6 +13,7 @@ from assistant.dialogue import events as ev
 from assistant.dialogue.machine import begin, step
 from assistant.dialogue.state import Dialogue
 from assistant.model import teacher_acts as acts
+from assistant.model.conditions import Condition
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import (
     Episode,
@@ -28,7 +29,7 @@ from assistant.model.motion import Alignment, ArmReport
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Action, Condition, Primitive, Subtask, Task, TaskObject
+from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
 
 STEPS = (
     "approach object",

@@ -6,6 +6,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from assistant.geometry import Array
+from assistant.model.conditions import Condition
 from assistant.model.demonstration import Demonstration, Recording, Spoken
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import (
@@ -19,7 +20,7 @@ from assistant.model.lesson import (
 )
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Action, Condition, Primitive, Subtask, Task, TaskObject
+from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
 
 words = st.text("abc äß'\"-:#,[]{}?*&!|>%@0123456789", min_size=1, max_size=12).filter(
     lambda text: text == text.strip()

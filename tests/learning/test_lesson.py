@@ -12,10 +12,10 @@ from assistant.geometry import angle_between, compose, distance_between, quat_to
 from assistant.learning.docking import grasp_ways, lateral_axis
 from assistant.learning.lesson import learn
 from assistant.learning.timing import rms_jerk
+from assistant.model.conditions import Condition
 from assistant.model.demonstration import Recording
 from assistant.model.feedback import Feedback
 from assistant.model.scene import Body, Scene
-from assistant.model.task import Condition
 from tests.learning.lessons import CUTS_S, NAMES, demonstration, learned, lesson, task
 
 

@@ -24,10 +24,11 @@ from assistant.learning.adaptation import adapt, frames_in, plan_adaptation
 from assistant.learning.ordering import in_order, other_orders
 from assistant.learning.timing import rms_jerk
 from assistant.learning.weights import least_jerk
+from assistant.model.conditions import Condition
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
 from assistant.model.scene import Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Action, Condition, Order, Primitive, Subtask, Task
+from assistant.model.task import Action, Order, Primitive, Subtask, Task
 
 SCENE = Scene(hand_speed_m_s=1.0)
 START = pose_from_mm_deg((406.4, 0.0, 635.0), (0.0, 0.0, 0.0))

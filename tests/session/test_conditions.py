@@ -10,10 +10,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from assistant.geometry import IDENTITY, Array, compose, pose_from_mm_deg
+from assistant.model.conditions import CONDITIONS, Condition
 from assistant.model.motion import HandPath, HandStop
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import CONDITIONS, Condition
 from assistant.ports import ArmLook
 from assistant.session.conditions import Surroundings, expectations, first_unmet, holds
 from tests.session.test_heeding import told

@@ -11,9 +11,10 @@ from assistant.cli import main
 from assistant.files.scenes import find_scene
 from assistant.files.setups import read_setups
 from assistant.files.tasks import write_task
+from assistant.model.conditions import Condition
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
-from assistant.model.task import Condition, Primitive, Subtask, Task
+from assistant.model.task import Primitive, Subtask, Task
 from assistant.model.transcript import SetupChoice
 from assistant.session.loop import Session
 from assistant.session.opening import open_session
