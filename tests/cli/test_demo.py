@@ -13,8 +13,10 @@ from assistant.ports import Arm
 MAKE_ARM = adapters.make_arm
 
 
-def without_physics(name: str, stop_flag: threading.Event | None = None) -> Arm:
-    return MAKE_ARM("kinematic", stop_flag)
+def without_physics(
+    name: str, stop_flag: threading.Event | None = None, *, window: bool = False
+) -> Arm:
+    return MAKE_ARM("kinematic", stop_flag, window=window)
 
 
 def test_the_demo_teaches_practices_and_writes(
