@@ -69,6 +69,7 @@ def test_in_noise_a_second_opinion_is_asked_for() -> None:
     assert slow.asked == 1
 
 
+@pytest.mark.voice
 def test_a_name_is_always_heard_twice() -> None:
     one = heard(Reads(("pick up the log", 1.0)), Reads(("pick up the block", 0.9)), NAMING)
     assert one.understanding.acts == (Inform("pick up the block"),)
