@@ -8,13 +8,12 @@ looked at and the release corrected, and what happens is reported.
 from __future__ import annotations
 
 import threading
-from typing import Literal
 
 import numpy as np
 
 from assistant.errors import WorkFailed
 from assistant.geometry import IDENTITY, Array, compose, inverse
-from assistant.model.motion import ArmReport, HandStop, JointPath
+from assistant.model.motion import ArmReport, HandStop, JointPath, ReportKind
 from assistant.model.placing import states, told_bodies
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -30,8 +29,6 @@ from sim.sensor import InHandSensor, PlaceNoise
 from sim.starting import joints_at, same_pose
 from sim.touching import Trace, allowed_at
 from sim.world import CONTROL_S, EASED, Allowed, Fault, World
-
-Kind = Literal["primitive", "perceived", "unmet", "halted", "finished"]
 
 NOT_WHERE_PLANNED_DEG = 1.0
 """A motion must begin this close to where the arm is."""
@@ -283,11 +280,13 @@ class SimulatedArm:
             told.append(self._report("primitive"))
         return told
 
-    def _report(self, kind: Kind, text: str = "", name: str = "", target: str = "") -> ArmReport:
+    def _report(
+        self, kind: ReportKind, text: str = "", name: str = "", target: str = ""
+    ) -> ArmReport:
         at_s = self._now_s - self._began_s
         return ArmReport(kind, at_s, self._primitive, text, name, target)
 
-    def _halt(self, kind: Kind, text: str, name: str = "", target: str = "") -> ArmReport:
+    def _halt(self, kind: ReportKind, text: str, name: str = "", target: str = "") -> ArmReport:
         self._playback = None
         return self._report(kind, text, name, target)
 

@@ -18,7 +18,7 @@ POINT = ("at_s", "confidence", "kept", "internal")
 STATION = ("kind", "object", "frame")
 
 
-def public_view(dialogue: Dialogue) -> dict[str, object]:
+def public_view(dialogue: Dialogue) -> dict[str, Any]:
     """Return plain values for transcripts' ``expect``, programs and status lines.
 
     ``stage``, ``asked``, ``task.{name, goal, objects, tree, primitives}``, ``lesson.{cuts_s,

@@ -142,10 +142,13 @@ def _last(slot: str, words: Words, hearing: Hearing) -> TeacherAct | None:
     return AdjustLast(change=change, degree=degree)
 
 
+MARKS = {"first": Cue("first"), "next": Cue("next"), "last": Cue("last")}
+
+
 def _cue(slot: str, words: Words, hearing: Hearing) -> TeacherAct | None:
     texts, numbers = texts_of(words), hearing.book.numbers
-    if slot in ("first", "next", "last"):
-        return Cue(slot)  # type: ignore[arg-type]
+    if slot in MARKS:
+        return MARKS[slot]
     for at in range(len(texts)):
         found = numbers.ordinal(texts, at) or numbers.number(texts, at)
         if found is not None:

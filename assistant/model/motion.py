@@ -189,6 +189,9 @@ GOING_ON = "going_on"
 """Why an arm came to rest that has been told meanwhile what to do next."""
 
 
+ReportKind = Literal["primitive", "perceived", "unmet", "halted", "finished"]
+
+
 @dataclass(frozen=True, slots=True)
 class ArmReport:
     """What the arm tells while or after it moves.
@@ -223,7 +226,7 @@ class ArmReport:
         For ``unmet``: how the hand is, or what it holds, instead.
     """
 
-    kind: Literal["primitive", "perceived", "unmet", "halted", "finished"]
+    kind: ReportKind
     at_s: float
     primitive_at: int = -1
     text: str = ""

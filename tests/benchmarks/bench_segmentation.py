@@ -13,6 +13,7 @@ import json
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -139,12 +140,11 @@ def rows(shows: list[Shown], smoothed: list[Smoothed], *, quick: bool) -> Iterat
     yield "ours without cues", lambda given: [ours(without_cues(s)).cuts_s for s in given]
     yield "ours", lambda given: [ours(s).cuts_s for s in given]
     for name, longer in (("ours, tree one step short", False), ("ours, tree one step long", True)):
-        yield (
-            name,
-            lambda given, longer=longer: [  # type: ignore[misc]
-                ours(other_length(s, k, longer=longer)).cuts_s for k, s in enumerate(given)
-            ],
-        )
+        yield name, partial(_with_other_tree, longer=longer)
+
+
+def _with_other_tree(given: Sequence[Shown], *, longer: bool) -> list[Sequence[float]]:
+    return [ours(other_length(s, k, longer=longer)).cuts_s for k, s in enumerate(given)]
 
 
 def asked_about(shown: Shown, found: Segmentation) -> tuple[bool, bool]:

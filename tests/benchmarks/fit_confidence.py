@@ -13,9 +13,11 @@ import random
 import re
 import sys
 from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,36 +94,36 @@ def unseen(folds: int) -> Iterator[Seen]:
     for fold in range(folds):
         out = set(speakers[fold::folds])
         kept = [at for at, one in enumerate(everything) if one.speaker not in out]
-        _learn([everything[at] for at in kept], known[kept])
-        _withhold(random.Random(100 + fold))
-        for speaker, row in sentences:
-            if speaker in out:
-                reading = read(row.text, row.listening)
-                if not reading.parse.exact:
-                    yield _seen(speaker, row, reading)
-        _restore()
+        model = _model([everything[at] for at in kept], known[kept])
+        with _withheld(model, random.Random(100 + fold)):
+            for speaker, row in sentences:
+                if speaker in out:
+                    reading = read(row.text, row.listening)
+                    if not reading.parse.exact:
+                        yield _seen(speaker, row, reading)
 
 
-def _learn(examples: list[Example], known: csr_matrix) -> None:
+def _model(examples: list[Example], known: csr_matrix) -> likelihood.Model:
     labels = tuple(sorted({told for one in examples for told in one.labels}))
     weights = np.array([one.weight for one in examples])
     told = fitted(known, targets(examples, labels), weights)
-    made = likelihood.Model(labels, told.astype(np.float32))
-    likelihood.model = lambda language: made  # type: ignore[assignment]
+    return likelihood.Model(labels, told.astype(np.float32))
 
 
-def _withhold(rng: random.Random) -> None:
+@contextmanager
+def _withheld(made: likelihood.Model, rng: random.Random) -> Iterator[None]:
+    """Read with this model, and with a phrasebook of which a part is taken away."""
+
     def thin(path: Path) -> list[_Node]:
         return [_Node(withheld(node.value, rng)) for node in read_file(path)]
 
-    for module in (phrasebook_module, frames_module):
-        module.read_file = thin  # type: ignore[attr-defined]
-    _clear()
-
-
-def _restore() -> None:
-    for module in (phrasebook_module, frames_module):
-        module.read_file = read_file  # type: ignore[attr-defined]
+    with (
+        patch.object(likelihood, "model", lambda language: made),
+        patch.object(phrasebook_module, "read_file", thin),
+        patch.object(frames_module, "read_file", thin),
+    ):
+        _clear()
+        yield
     _clear()
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from functools import partial
+from typing import Any
 
 import numpy as np
 from scipy.signal import find_peaks
@@ -45,11 +46,11 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
     except ImportError:
         return {}
 
-    def cutter(make: Callable[[], object], feature: str) -> Cutter:
+    def cutter(make: Callable[[], Any], feature: str) -> Cutter:
         def cut(shown: Shown, smoothed: Smoothed) -> list[float]:
             t_s, rows = _features(smoothed, feature)
             count = min(len(shown.cuts_s), len(t_s) // 16)
-            fitted = make().fit(rows)  # type: ignore[attr-defined]
+            fitted = make().fit(rows)
             if isinstance(fitted, ruptures.Pelt):
                 ends = _with_count(fitted, count)
             else:
@@ -59,7 +60,7 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
         return cut
 
     sizes = (2, 5, 15)
-    kinds: dict[str, list[Callable[[], object]]] = {
+    kinds: dict[str, list[Callable[[], Any]]] = {
         # With the count known, Pelt finds what KernelCPD finds with its linear kernel.
         "ruptures Pelt": [partial(ruptures.Pelt, model="l2", min_size=5, jump=5)],
         "ruptures Binseg": [
@@ -81,13 +82,13 @@ def ruptures_cutters() -> dict[str, list[Cutter]]:
     }
 
 
-def _with_count(fitted: object, count: int) -> list[int]:
+def _with_count(fitted: Any, count: int) -> list[int]:
     """Return Pelt's cuts at the penalty that gives the count, or comes nearest."""
     low, high = -6.0, 12.0
     best: list[int] = []
     for _ in range(8):
         middle = 0.5 * (low + high)
-        ends = fitted.predict(pen=float(np.exp(middle)))  # type: ignore[attr-defined]
+        ends = fitted.predict(pen=float(np.exp(middle)))
         if not best or abs(len(ends) - 1 - count) < abs(len(best) - 1 - count):
             best = list(ends)
         if len(ends) - 1 == count:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 
 import numpy as np
 
@@ -58,8 +59,8 @@ def _durations(motion: JointPath) -> tuple[float, float]:
 
 
 def _least(q: Array) -> float:
-    import toppra  # type: ignore[import-untyped,unused-ignore]
-    from toppra import algorithm, constraint
+    toppra = import_module("toppra")
+    algorithm, constraint = (import_module(f"toppra.{one}") for one in ("algorithm", "constraint"))
 
     toppra.setup_logging("ERROR")
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(q, axis=0), axis=1))])

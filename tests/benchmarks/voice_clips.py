@@ -18,7 +18,7 @@ import numpy as np
 
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
-from assistant.model.teacher_acts import act_to_json
+from assistant.model.teacher_acts import Asked, act_to_json
 from assistant.shells.voice.deciding import SURE, is_unknown
 from assistant.shells.voice.phonemes import is_word
 from assistant.shells.voice.sound import Samples, read_sound
@@ -122,8 +122,8 @@ def words(group: str, count: int, folder: Path) -> Iterator[Clip]:
 
 def word_meaning(word: str) -> tuple[Listening, list[dict[str, Any]], float]:
     """Return where a word alone is said, what it means there, and how surely when typed."""
-    asked = "satisfied" if word in ("yes", "no") else None
-    listening = Listening(stage="practice", asked=asked)  # type: ignore[arg-type]
+    asked: Asked | None = "satisfied" if word in ("yes", "no") else None
+    listening = Listening(stage="practice", asked=asked)
     meant = understand(word, listening)
     return listening, [act_to_json(act) for act in meant.acts], min(SURE, meant.confidence)
 

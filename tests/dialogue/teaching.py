@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -25,7 +25,7 @@ from assistant.model.lesson import (
     Station,
 )
 from assistant.model.listening import Understanding
-from assistant.model.motion import Alignment, ArmReport
+from assistant.model.motion import Alignment, ArmReport, ReportKind
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
@@ -182,11 +182,8 @@ class Lessons:
         self.hear(acts.Start())
         return self.happen(ev.Checked(self.dialogue.known.setup, None, 12.0))
 
-    def report(self, kind: str, at: int = -1, **told: str) -> Lessons:
-        kinds = {"primitive", "perceived", "unmet", "halted", "finished"}
-        assert kind in kinds
-        report = ArmReport(kind, 1.0, at, **told)  # type: ignore[arg-type]
-        return self.happen(ev.ArmReported(report))
+    def report(self, kind: ReportKind, at: int = -1, **told: Any) -> Lessons:
+        return self.happen(ev.ArmReported(ArmReport(kind, 1.0, at, **told)))
 
     def finish(self) -> Lessons:
         for at in range(5):

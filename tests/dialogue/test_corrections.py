@@ -139,7 +139,7 @@ def test_the_last_correction_is_adjusted() -> None:
     teacher.hear(acts.AdjustLast("opposite"))
     assert last(teacher).offset_m[2] == pytest.approx(-0.0025)
     teacher.hear(acts.AdjustLast("more"))
-    assert len(public_view(teacher.dialogue)["feedback"]) == 2  # type: ignore[arg-type]
+    assert len(public_view(teacher.dialogue)["feedback"]) == 2
     assert "5 mm in all" in phrase(teacher.lines[0])
 
 

@@ -67,7 +67,7 @@ def test_an_action_without_words_is_done_as_shown() -> None:
     teacher = begun().tell(1).tell("wiggle").tell(0)
     assert teacher.asked == "actions"
     teacher.tell("shake it a little")
-    leaf = public_view(teacher.dialogue)["task"]["primitives"][0]  # type: ignore[index]
+    leaf = public_view(teacher.dialogue)["task"]["primitives"][0]
     assert "free" in leaf["action"]
 
 
@@ -75,7 +75,7 @@ def test_an_action_understood_as_a_command_is_an_answer() -> None:
     teacher = begun().tell(1).tell("fetching").tell(0)
     teacher.hear(acts.Gripper("close"), text="close the hand")
     assert not teacher.did(fx.SetHand)
-    leaf = public_view(teacher.dialogue)["task"]["primitives"][0]  # type: ignore[index]
+    leaf = public_view(teacher.dialogue)["task"]["primitives"][0]
     assert leaf["action"] == {"hand": "close", "object": "block"}
 
 

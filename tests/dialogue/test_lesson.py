@@ -22,7 +22,7 @@ def test_the_introduction_builds_the_tree_of_the_paper() -> None:
     view = public_view(teacher.dialogue)
     assert view["primitives"] == list(STEPS)
     task = teacher.dialogue.known.task
-    told = [(leaf["action"]) for leaf in view["task"]["primitives"]]  # type: ignore[index]
+    told = [(leaf["action"]) for leaf in view["task"]["primitives"]]
     assert told == [
         {"move": "approach", "object": "block"},
         {"hand": "close", "object": "block"},

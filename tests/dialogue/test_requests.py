@@ -26,7 +26,7 @@ def three() -> Lessons:
 
 def words(teacher: Lessons) -> list[str]:
     view = public_view(teacher.dialogue)
-    return [one["words"] for one in view["feedback"]]  # type: ignore[attr-defined]
+    return [one["words"] for one in view["feedback"]]
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ def test_when_you_place_it_is_the_step_that_opens_the_hand() -> None:
     where = acts.Where("place it", "during")
     teacher.hear(acts.Translate("up", where=where), text="higher when you place it")
     view = public_view(teacher.dialogue)["feedback"]
-    assert view[0]["primitive"] == LAST  # type: ignore[index]
+    assert view[0]["primitive"] == LAST
 
 
 def test_swapped_things_keep_their_heights_and_are_looked_at() -> None:

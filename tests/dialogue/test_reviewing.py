@@ -33,7 +33,7 @@ def test_yes_to_optional_makes_a_step_optional() -> None:
     teacher = Lessons().learned(Question("optional", "move up object", "no_change"))
     assert teacher.asked == "optional"
     teacher.hear(acts.Affirm())
-    leaves = public_view(teacher.dialogue)["task"]["primitives"]  # type: ignore[index]
+    leaves = public_view(teacher.dialogue)["task"]["primitives"]
     assert [leaf["optional"] for leaf in leaves] == [False, False, True, False, False]
 
 
@@ -44,15 +44,15 @@ def test_a_moved_cut_is_learned_anew_and_corrections_stay() -> None:
     assert learn.cuts_s == pytest.approx((2.0, 4.5, 6.0, 8.0))
     assert learn.assigned[1] == (2, "grasp object")
     teacher.happen(ev.Learned(lesson()))
-    assert len(public_view(teacher.dialogue)["feedback"]) == 1  # type: ignore[arg-type]
+    assert len(public_view(teacher.dialogue)["feedback"]) == 1
 
 
 def test_renaming_reaches_into_the_lesson() -> None:
     teacher = Lessons().ready().hear(acts.Rename("move up object", "lift"))
     assert not teacher.did(fx.Learn)
     view = public_view(teacher.dialogue)
-    assert "lift" in view["primitives"]  # type: ignore[operator]
-    episodes = view["lesson"]["episodes"]  # type: ignore[index]
+    assert "lift" in view["primitives"]
+    episodes = view["lesson"]["episodes"]
     assert episodes[2]["primitive"] == "lift"
 
 

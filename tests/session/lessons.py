@@ -108,3 +108,11 @@ def needs_new_setup(session: Session) -> bool:
 def hold(session: Session, seed: int = 0) -> None:
     for _ in lesson(session, seed):
         pass
+
+
+def until_it_moves(session: Session) -> None:
+    """Hold a lesson up to the moment at which the arm begins to move."""
+    for _ in lesson(session):
+        if session.moving:
+            return
+    raise AssertionError("the lesson ended and the arm never moved")

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.session.heartbeat import SAFETY, Heartbeat
 from assistant.session.loop import Session
-from tests.session.lessons import Heard, lesson, opened
+from tests.session.lessons import Heard, opened, until_it_moves
 
 TICK_S = 0.02
 
@@ -37,9 +37,7 @@ def moving(tmp_path: Path) -> Iterator[tuple[Session, Heard]]:
     """A session whose arm has just begun to move."""
     heard = Heard()
     session = opened(tmp_path, heard)
-    for _ in lesson(session):
-        if session.moving:
-            break
+    until_it_moves(session)
     heard.lines.clear()
     yield session, heard
     session.close()

@@ -19,7 +19,7 @@ from assistant.ports import ArmLook
 from assistant.session.loop import Session
 from assistant.session.practice import practice_setup
 from sim.planner import A465Planner
-from tests.session.lessons import Heard, lesson, opened
+from tests.session.lessons import Heard, opened, until_it_moves
 from tests.session.test_practice import TABLE1, learned
 
 ROOT = Path(__file__).parents[2]
@@ -46,9 +46,7 @@ def moving(tmp_path: Path) -> Iterator[tuple[Session, Heard, Watched]]:
     heard, planner = Heard(), Watched()
     session = opened(tmp_path, heard)
     session.mover._equipment = replace(session.equipment, planner=planner)
-    for _ in lesson(session):
-        if session.moving:
-            break
+    until_it_moves(session)
     session.run_until(3.0)
     yield session, heard, planner
     session.close()

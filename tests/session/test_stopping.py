@@ -14,7 +14,7 @@ from assistant.session.heeding import Heeding
 from assistant.session.loop import Session
 from assistant.session.opening import resume_session
 from sim import a465
-from tests.session.lessons import Heard, lesson, opened, opening
+from tests.session.lessons import Heard, opened, opening, until_it_moves
 
 REST_S = 0.25
 
@@ -24,9 +24,7 @@ def moving(tmp_path: Path) -> Iterator[tuple[Session, Heard]]:
     """A session whose arm is on its way to the block."""
     heard = Heard()
     session = opened(tmp_path, heard)
-    for _ in lesson(session):
-        if session.moving:
-            break
+    until_it_moves(session)
     session.run_until(3.0)
     yield session, heard
     session.close()

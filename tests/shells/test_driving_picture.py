@@ -3,27 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from assistant.files.finding import find_setups
-from assistant.files.scenes import find_scene
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 from assistant.shells.driving_picture import Sight, drawn, marks, seen_mm, sights
 from sim.driving import TIP
-from sim.kinematic_arm import KinematicArm
-
-
-@pytest.fixture(scope="module")
-def table() -> tuple[ArmLook, Scene]:
-    setups, path = find_setups("demonstration", Path())
-    scene = find_scene(setups[0].scene, path)
-    arm = KinematicArm()
-    arm.arrange(scene, setups[0])
-    return arm.look(), scene
 
 
 def both(look: ArmLook, scene: Scene, *, facing: bool = False) -> tuple[Sight, Sight]:

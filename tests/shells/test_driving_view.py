@@ -1,32 +1,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from assistant.files.finding import find_setups
-from assistant.files.scenes import find_scene
 from assistant.language.hints import page
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 from assistant.shells.driving_view import Gap, gap_line, gaps, in_the_way, key_for, step_line
 from sim.driving import TIP
-from sim.kinematic_arm import KinematicArm
 
 WORDS = page("terminal")["driving"]
-
-
-@pytest.fixture(scope="module")
-def table() -> tuple[ArmLook, Scene]:
-    setups, path = find_setups("demonstration", Path())
-    scene = find_scene(setups[0].scene, path)
-    arm = KinematicArm()
-    arm.arrange(scene, setups[0])
-    return arm.look(), scene
 
 
 def test_the_way_is_told_in_words_and_keys(table: tuple[ArmLook, Scene]) -> None:
