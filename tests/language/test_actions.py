@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from assistant.language.actions import mentioned_objects, read_action
-from assistant.model.task import Action, TaskObject
+from assistant.model.task import Action, TaskObject, Verb
 
 THINGS = (TaskObject("block", "object"), TaskObject("target", "target"))
 STACK = (
@@ -34,9 +34,9 @@ STACK = (
         ("retreat", "move", "depart", "block"),
     ],
 )
-def test_plain_motions_are_sure(text: str, verb: str, way: str, thing: str) -> None:
+def test_plain_motions_are_sure(text: str, verb: Verb, way: str, thing: str) -> None:
     reading = read_action(text, THINGS)
-    assert reading.action == Action(verb, way, thing)  # type: ignore[arg-type]
+    assert reading.action == Action(verb, way, thing)
     assert reading.sure
 
 

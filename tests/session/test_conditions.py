@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from assistant.geometry import IDENTITY, Array, compose, pose_from_mm_deg
-from assistant.model.conditions import CONDITIONS, Condition
+from assistant.model.conditions import CONDITIONS, Condition, ConditionKind
 from assistant.model.motion import HandPath, HandStop
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
@@ -130,8 +130,8 @@ def test_every_kind_has_a_case() -> None:
 
 
 @pytest.mark.parametrize("kind", [kind for kind in CONDITIONS if kind not in ("hand", "clear")])
-def test_nothing_holds_of_what_is_nowhere(kind: str) -> None:
-    condition = Condition(kind, "ghost", "nowhere")  # type: ignore[arg-type]
+def test_nothing_holds_of_what_is_nowhere(kind: ConditionKind) -> None:
+    condition = Condition(kind, "ghost", "nowhere")
     assert not holds(condition, AROUND, look(GRASP))
 
 

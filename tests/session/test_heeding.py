@@ -11,7 +11,7 @@ from assistant.cli import main
 from assistant.files.scenes import find_scene
 from assistant.files.setups import read_setups
 from assistant.files.tasks import write_task
-from assistant.model.conditions import Condition
+from assistant.model.conditions import CONDITIONS, Condition
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Primitive, Subtask, Task
@@ -48,8 +48,9 @@ def told(task: Task, name: str, *, before: str = "", until: str = "") -> Task:
 def written(text: str) -> tuple[Condition, ...]:
     if not text:
         return ()
-    kind, *named = text.split()
-    return (Condition(kind, *named),)  # type: ignore[arg-type]
+    told, *named = text.split()
+    kind = next(one for one in CONDITIONS if one == told)
+    return (Condition(kind, *named),)
 
 
 def setup(number: int = 1) -> tuple[Scene, Setup]:

@@ -6,15 +6,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from assistant.model.robot_acts import About, RobotAct
+from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.transcript import Near, RobotLine
 from assistant.session.matching import Said, account, difference, look_up, mismatch
 
 ANY = RobotLine("any")
 
 
-def said(act: str = "report", topic: str = "x", text: str = "Hello.", **slots: object) -> Said:
-    return Said(RobotAct(act, topic, slots=MappingProxyType(slots)), text)  # type: ignore[arg-type]
+def said(
+    act: RobotActName = "report", topic: str = "x", text: str = "Hello.", **slots: object
+) -> Said:
+    return Said(RobotAct(act, topic, slots=MappingProxyType(slots)), text)
 
 
 ASK = Said(RobotAct("ask", "name", "task_name", About("place", (1, 2))), "What is it called?")
