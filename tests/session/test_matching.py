@@ -11,6 +11,7 @@ from assistant.model.transcript import Near, RobotLine
 from assistant.session.matching import Said, account, difference, look_up, mismatch
 
 ANY = RobotLine("any")
+PLAYED: tuple[RobotActName, ...] = ("report", "ask", "done")
 
 
 def said(
@@ -57,8 +58,8 @@ def test_any_lines_give_way_to_the_step_that_follows() -> None:
 
 
 @settings(max_examples=40)
-@given(st.lists(st.sampled_from(["report", "ask", "done"]), max_size=6))
-def test_a_play_written_down_fits_itself(acts: list[str]) -> None:
+@given(st.lists(st.sampled_from(PLAYED), max_size=6))
+def test_a_play_written_down_fits_itself(acts: list[RobotActName]) -> None:
     lines = [said(act) for act in acts]
     assert account([RobotLine(act=act) for act in acts], lines, 1) is None
     assert account([ANY], lines, 1) is None
