@@ -43,7 +43,6 @@ _WAYS = {
     "retreat": "backward",
 }
 _PACES = {"faster": "faster", "fast": "faster", "slower": "slower", "slow": "slower"}
-LONGEST_PHRASE = 5
 _ADJECTIVES = frozenset((("slow",), ("quick",), ("fast",)))
 
 
@@ -70,14 +69,8 @@ def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tu
     found: list[Tag] = []
     at = 0
     while at < len(words):
-        phrase = next(
-            (
-                tuple(words[at : at + size])
-                for size in range(min(LONGEST_PHRASE, len(words) - at), 0, -1)
-                if tuple(words[at : at + size]) in book.motion
-            ),
-            None,
-        )
+        begun = book.motion_begun.get(words[at], ())
+        phrase = next((one for one in begun if tuple(words[at : at + len(one)]) == one), None)
         quantity = book.numbers.quantity(words, at)
         if quantity is not None and (phrase is None or quantity.end - at >= len(phrase)):
             found.append(Tag("quantity", quantity, tuple(words[at : quantity.end])))

@@ -5,10 +5,13 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal, cast
+
+from assistant.language.lists import Phrase, by_first_word, pairs
 
 Kind = Literal["m", "deg", "ratio", "s", ""]
 _DIGITS = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)$")
+_DIGIT_STARTS = frozenset("0123456789+-.")
 _ORDINAL = re.compile(r"(\d+)(?:st|nd|rd|th)$")
 
 
@@ -38,10 +41,14 @@ class NumberWords:
     articles: frozenset[str]
     points: frozenset[str]
     minus: frozenset[str]
+    within: frozenset[str]
+    begins: frozenset[str]
 
     def number(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
         """Return the number that begins at `at` and where it ends."""
-        if at < len(words) and words[at] in self.minus:
+        if at >= len(words) or not self._begins(words[at]):
+            return None
+        if words[at] in self.minus:
             found = self.number(words, at + 1)
             return None if found is None else (-found[0], found[1])
         phrase = self._phrase(words, at)
@@ -49,8 +56,14 @@ class NumberWords:
         found = found or self._whole(words, at)
         return None if found is None else self._and_fraction(words, *found)
 
+    def _begins(self, word: str) -> bool:
+        """Tell quickly whether a number can begin with a word."""
+        return word in self.begins or word[:1] in _DIGIT_STARTS
+
     def quantity(self, words: Sequence[str], at: int) -> Quantity | None:
         """Return the number with its unit; "half an inch", "a quarter turn", "an inch"."""
+        if at >= len(words) or not (self._begins(words[at]) or words[at] in self.units):
+            return None
         found = self.number(words, at)
         if found is None:
             bare = self.units.get(words[at]) if at < len(words) and len(words[at]) > 3 else None
@@ -80,18 +93,33 @@ class NumberWords:
     def _with_fraction_behind(
         self, words: Sequence[str], unit: tuple[Kind, float], value: float, end: int
     ) -> Quantity:
-        """Read on: "an inch and a half"."""
-        if end + 2 < len(words) and words[end] in self.joiners and words[end + 1] in self.articles:
-            part = self.fractions.get(words[end + 2])
-            if part is not None:
-                value, end = value + part, end + 3
+        """Read on: "an inch and a half", "one inch and three quarters"."""
+        part = self._fraction_behind(words, end)
+        if part is not None and (part[1] >= len(words) or words[part[1]] not in self.within):
+            value, end = value + part[0], part[1]
         return Quantity(value * unit[1], unit[0], end, unit[1])
+
+    def _fraction_behind(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
+        """Return the fraction behind a joining word: "and a half", "and three quarters"."""
+        if at + 1 >= len(words) or words[at] not in self.joiners:
+            return None
+        if words[at + 1].startswith("0.") and _DIGITS.match(words[at + 1]):
+            return float(words[at + 1]), at + 2
+        start = at + 2 if words[at + 1] in self.articles else at + 1
+        part = self.fractions.get(words[start]) if start < len(words) else None
+        if part is not None:
+            return part, start + 1
+        count = self.ones.get(words[at + 1])
+        part = self.fractions.get(words[at + 2]) if at + 2 < len(words) else None
+        if count is None or part is None or count * part >= 1:
+            return None
+        return count * part, at + 3
 
     def ordinal(self, words: Sequence[str], at: int) -> tuple[int, int] | None:
         """Return the place ("third", "3rd") at `at` and where it ends."""
         if at >= len(words):
             return None
-        match = _ORDINAL.match(words[at])
+        match = _ORDINAL.match(words[at]) if words[at][:1] in _DIGIT_STARTS else None
         if match:
             return int(match.group(1)), at + 1
         place = self.ordinals.get(words[at])
@@ -131,15 +159,13 @@ class NumberWords:
                 at += 1
             if digits:
                 return float(f"{value:g}.{digits}"), at
-        if end + 1 < len(words) and words[end] in self.joiners:
-            start = end + 2 if words[end + 1] in self.articles else end + 1
-            part = self.fractions.get(words[start]) if start < len(words) else None
-            if part is not None:
-                return value + part, start + 1
-            count = self.ones.get(words[end + 1])
-            part = self.fractions.get(words[end + 2]) if end + 2 < len(words) else None
-            if count is not None and part is not None:
-                return value + count * part, end + 3
+        part = self._fraction_behind(words, end)
+        if part is not None:
+            return value + part[0], part[1]
+        # "1 1/2 inch" is split into a whole number and a share.
+        if value >= 1 and end < len(words) and words[end].startswith("0.") and value % 1 == 0:
+            share = float(words[end]) if _DIGITS.match(words[end]) else 0.0
+            return (value + share, end + 1) if share else (value, end)
         return value, end
 
     def _whole(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
@@ -174,7 +200,8 @@ class NumberWords:
             total, end, seen = (total or 1.0) * 100.0, end + 1, True
             start = end + 1 if end < len(words) and words[end] in self.joiners else end
             rest = self._below_hundred(words, start)
-            if rest is not None:
+            # In "four hundred, one hundred" the one begins another number.
+            if rest is not None and not (rest[0] < 10 and self._hundred_at(words, rest[1])):
                 total, end = total + rest[0], rest[1]
         return (total, end) if seen else None
 
@@ -186,7 +213,27 @@ class NumberWords:
             ones = self.ones.get(words[at])
             return None if ones is None else (ones, at + 1)
         more = self.ones.get(words[at + 1]) if at + 1 < len(words) else None
+        more = None if self._hundred_at(words, at + 2) else more
         return (tens + more, at + 2) if more is not None and 0 < more < 10 else (tens, at + 1)
+
+    def _hundred_at(self, words: Sequence[str], at: int) -> bool:
+        return at < len(words) and words[at] in self.hundred
+
+    def listed(self, words: Sequence[str]) -> float | None:
+        """Return the number that all of the words tell digit by digit: "five five zero".
+
+        "Four ten" is 410 and "five thirty three" 533, as people read out numbers.
+        """
+        sign = -1.0 if words and words[0] in self.minus else 1.0
+        words = words[1:] if sign < 0 else words
+        if not words or words[0] not in self.ones or self.ones[words[0]] > 9:
+            return None
+        if len(words) > 1 and all(self.ones.get(word, 10) < 10 for word in words):
+            return sign * float("".join(str(self.ones[word]) for word in words))
+        rest = self._below_hundred(words, 1)
+        if rest is None or rest[0] < 10 or rest[1] != len(words):
+            return None
+        return sign * (self.ones[words[0]] * 100.0 + rest[0])
 
 
 def glued(told: str, tens: Mapping[str, int], ones: Mapping[str, int]) -> Mapping[str, float]:
@@ -212,3 +259,37 @@ def glued(told: str, tens: Mapping[str, int], ones: Mapping[str, int]) -> Mappin
             found[f"{head}{hundred[0]}{joint[0]}{word}"] = 100.0 * count + value
     halves = {**front, **{word: value for word, value in ones.items() if value > 1}}
     return found | {f"{word}{half[0]}": value + 0.5 for word, value in halves.items()}
+
+
+def number_words(told: Mapping[str, Any]) -> NumberWords:
+    """Return the words a language counts with, from the part `numbers` of its phrasebook."""
+    ones = {word: value for value, word in enumerate(told["ones"].split())}
+    tens = {word: 10 * value for value, word in enumerate(told["tens"].split(), start=2)}
+    ordinals = {word: value for value, word in enumerate(told["ordinals"].split(), start=1)}
+    units: dict[str, tuple[Kind, float]] = {}
+    for key, names in pairs(told["units"]):
+        kind, factor = key.split(":")
+        for name in names.split(","):
+            units[name.strip()] = (cast("Kind", kind.strip()), float(factor))
+    fractions = {key: float(value) for key, value in pairs(told["fractions"])}
+    whole = glued(told.get("glued", ""), tens, ones)
+    also: dict[Phrase, float] = {(word,): value for word, value in whole.items()}
+    also |= {tuple(key.split()): float(value) for key, value in pairs(told["also"])}
+    words = {name: frozenset(told[name].split()) for name in ("hundred", "a", "point", "minus")}
+    begun = by_first_word(also)
+    return NumberWords(
+        ones=ones,
+        tens=tens,
+        also=also,
+        begun=begun,
+        ordinals=ordinals,
+        fractions=fractions,
+        units=units,
+        hundred=words["hundred"],
+        joiners=frozenset(told["and"].split()),
+        articles=words["a"],
+        points=words["point"],
+        minus=words["minus"],
+        within=frozenset(told.get("within", "").split()),
+        begins=frozenset().union(ones, tens, begun, fractions, *words.values()),
+    )

@@ -9,7 +9,19 @@ from pathlib import Path
 from typing import Any, cast
 
 from assistant.errors import BadInput
-from assistant.language.numbers import Kind, NumberWords, glued
+from assistant.language.lists import (
+    Phrase as Phrase,
+)
+from assistant.language.lists import (
+    by_first_word,
+    lines,
+    longest_first,
+    pairs,
+    phrase_words,
+    phrases,
+    single,
+)
+from assistant.language.numbers import NumberWords, number_words
 from assistant.language.templates import (
     Node,
     Reader,
@@ -22,7 +34,6 @@ from assistant.language.templates import (
 from assistant.plain_yaml import read_file
 
 LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
-Phrase = tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,6 +73,7 @@ class Phrasebook:
     consenting: frozenset[Phrase]
     numbers: NumberWords
     motion: Mapping[Phrase, str]
+    motion_begun: Mapping[str, tuple[Phrase, ...]]
     where: Mapping[str, tuple[Phrase, ...]]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
@@ -103,64 +115,65 @@ def phrasebook(language: str = "english") -> Phrasebook:
 
 
 def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
-    numbers = _numbers(book["numbers"])
+    numbers = number_words(book["numbers"])
     readers: dict[str, Reader] = {"n": numbers.number_ends, "nth": numbers.ordinal_ends}
     made: dict[str, Node] = {}
     sentences = tuple(_sentences(book, readers, made))
     wrappings = ("tails", "heads", "list_joints", "item_heads", "none")
     answers = {
-        asked: tuple(compiled(line, book["rules"], readers, made) for line in _lines(told))
+        asked: tuple(compiled(line, book["rules"], readers, made) for line in lines(told))
         for asked, told in book["answers"].items()
         if asked not in wrappings
     }
-    motion = {phrase: kind for kind, told in book["motion"].items() for phrase in _phrases(told)}
-    opening, closing = _phrases(book["opening"]), _phrases(book["closing"])
+    motion = {phrase: kind for kind, told in book["motion"].items() for phrase in phrases(told)}
+    opening, closing = phrases(book["opening"]), phrases(book["closing"])
     vocabulary = {word for one in sentences for word in all_words(one.nodes)}
     vocabulary |= {word for phrase in (*motion, *opening, *closing) for word in phrase}
     vocabulary |= {*numbers.ones, *numbers.tens, *numbers.units, *numbers.fractions}
     told = ",".join([classes["empty"], classes["polite"], *classes["classes"].values()])
-    vocabulary |= _phrase_words(_phrases(told))
-    vocabulary |= {*numbers.ordinals, *_phrase_words(numbers.also)}
+    vocabulary |= phrase_words(phrases(told))
+    vocabulary |= {*numbers.ordinals, *phrase_words(numbers.also)}
     return Phrasebook(
         contractions=_contractions(book, vocabulary),
-        fillers=frozenset(_phrases(book["fillers"])),
+        fillers=frozenset(phrases(book["fillers"])),
         vocatives=_vocatives(book["vocatives"]),
         opening=frozenset(opening),
         closing=frozenset(closing),
-        correction=tuple(sorted(_phrases(book["correction"]), key=len, reverse=True)),
+        correction=tuple(sorted(phrases(book["correction"]), key=len, reverse=True)),
         contrary=tuple(
-            frozenset(word for (word,) in _phrases(line)) for line in _lines(book["contrary"])
+            frozenset(word for (word,) in phrases(line)) for line in lines(book["contrary"])
         ),
-        not_taken_back=_longest_first(book["not_taken_back"]),
-        consenting=frozenset(_phrases(book["consenting"])),
+        not_taken_back=longest_first(book["not_taken_back"]),
+        consenting=frozenset(phrases(book["consenting"])),
         numbers=numbers,
         motion=motion,
-        where={name: _longest_first(told) for name, told in _where(book).items()},
-        chat=frozenset(phrase[0] for phrase in _phrases(book["chat"]) if len(phrase) == 1),
+        motion_begun=by_first_word(motion),
+        where={name: longest_first(told) for name, told in _where(book).items()},
+        chat=frozenset(phrase[0] for phrase in phrases(book["chat"]) if len(phrase) == 1),
         homophones={
-            tuple(key.split()): tuple(value.split()) for key, value in _pairs(book["homophones"])
+            tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
         },
         sentences=sentences,
         by_first=_index(sentences),
         answers=answers,
-        answer_words={name: _longest_first(book["answers"][name]) for name in wrappings}
-        | {f"pose_{name}": _longest_first(told) for name, told in book["poses"].items()}
-        | {f"stop_{name}": _longest_first(told) for name, told in book["stops"].items()}
-        | {f"key_{name}": _longest_first(told) for name, told in book["key_states"].items()},
+        answer_words={name: longest_first(book["answers"][name]) for name in wrappings}
+        | {f"pose_{name}": longest_first(told) for name, told in book["poses"].items()}
+        | {f"stop_{name}": longest_first(told) for name, told in book["stops"].items()}
+        | {f"key_{name}": longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
-        again=_longest_first(book["again"]),
-        empty=_single(classes["empty"]) - _turning(book),
-        polite=_single(classes["polite"]),
-        addressed=_single(classes["addressed"]),
-        yes=_single(classes["classes"]["yes"]),
-        no=_single("no, nope, nah, nein"),
-        negating=_single(classes["classes"]["no"]),
-        impure=_single(classes["impure"]),
-        wrapping={name: _longest_first(told) for name, told in classes["answers"].items()},
+        again=longest_first(book["again"]),
+        empty=single(classes["empty"]) - _turning(book),
+        polite=single(classes["polite"]),
+        addressed=single(classes["addressed"]),
+        yes=single(classes["classes"]["yes"]),
+        no=single("no, nope, nah, nein"),
+        negating=single(classes["classes"]["no"]),
+        impure=single(classes["impure"]),
+        wrapping={name: longest_first(told) for name, told in classes["answers"].items()},
         real=frozenset(book["real"].split())
-        | {word for one in _phrases(book["chat"]) for word in one},
+        | {word for one in phrases(book["chat"]) for word in one},
         suggestions={
-            key: tuple(" ".join(phrase) for phrase in _phrases(told))
+            key: tuple(" ".join(phrase) for phrase in phrases(told))
             for key, told in book["suggestions"].items()
         },
     )
@@ -173,7 +186,7 @@ def _sentences(
         extra = next(
             (key for key in ("text", "list", "number", "seconds", "ratio") if key in entry), ""
         )
-        for line in _lines(entry["say"]):
+        for line in lines(entry["say"]):
             nodes = compiled(line, book["rules"], readers, made)
             yield Sentence(
                 act=entry["act"],
@@ -198,59 +211,9 @@ def _index(sentences: Sequence[Sentence]) -> dict[str, tuple[Sentence, ...]]:
     return {word: tuple(ones) for word, ones in found.items()}
 
 
-def _numbers(told: Mapping[str, Any]) -> NumberWords:
-    ones = {word: value for value, word in enumerate(told["ones"].split())}
-    tens = {word: 10 * value for value, word in enumerate(told["tens"].split(), start=2)}
-    ordinals = {word: value for value, word in enumerate(told["ordinals"].split(), start=1)}
-    units: dict[str, tuple[Kind, float]] = {}
-    for key, names in _pairs(told["units"]):
-        kind, factor = key.split(":")
-        for name in names.split(","):
-            units[name.strip()] = (cast("Kind", kind.strip()), float(factor))
-    whole = glued(told.get("glued", ""), tens, ones)
-    also: dict[Phrase, float] = {(word,): value for word, value in whole.items()}
-    also |= {tuple(key.split()): float(value) for key, value in _pairs(told["also"])}
-    return NumberWords(
-        ones=ones,
-        tens=tens,
-        also=also,
-        begun={
-            phrase[0]: tuple(sorted((p for p in also if p[0] == phrase[0]), key=len, reverse=True))
-            for phrase in also
-        },
-        ordinals=ordinals,
-        fractions={key: float(value) for key, value in _pairs(told["fractions"])},
-        units=units,
-        hundred=frozenset(told["hundred"].split()),
-        joiners=frozenset(told["and"].split()),
-        articles=frozenset(told["a"].split()),
-        points=frozenset(told["point"].split()),
-        minus=frozenset(told["minus"].split()),
-    )
-
-
-def _lines(text: str) -> list[str]:
-    return [line.strip() for line in text.splitlines() if line.strip()]
-
-
-def _pairs(text: str) -> list[tuple[str, str]]:
-    parts = (line.partition(" = ") for line in _lines(text))
-    return [(_bare(key), value.strip()) for key, _, value in parts]
-
-
-def _bare(key: str) -> str:
-    told = key.strip()
-    return told[1:-1] if len(told) > 2 and told[0] == told[-1] == "'" else told
-
-
-def _phrases(text: str) -> list[Phrase]:
-    joined = " ".join(text.split())
-    return [tuple(phrase.split()) for phrase in joined.split(",") if phrase.strip()]
-
-
 def _turning(book: Mapping[str, Any]) -> set[str]:
     """Return the words that say when something holds, or take back what was said."""
-    told = [_phrases(book["where"][when]) for when in ("during", "before", "after")]
+    told = [phrases(book["where"][when]) for when in ("during", "before", "after")]
     weak = {"at", "in", "for", "as", "once"}
     taken_back = {"sorry", "mean", "meant", "rather", "actually", "instead", "but", "if"}
     return {phrase[0] for phrases in told for phrase in phrases} - weak | taken_back
@@ -258,7 +221,7 @@ def _turning(book: Mapping[str, Any]) -> set[str]:
 
 def _contractions(book: Mapping[str, Any], vocabulary: set[str]) -> Mapping[str, Phrase]:
     """Return what is spelled otherwise elsewhere, words with dots typed without them as well."""
-    told = _pairs(book.get("dialect", "") + book["contractions"])
+    told = pairs(book.get("dialect", "") + book["contractions"])
     taken = vocabulary | set(book["real"].split())
     words = [one for one in taken if one.isalpha() and not one.isascii()]
     ways = [str.maketrans(dict(zip("äöüß", to, strict=True))) for to in _DOTLESS]
@@ -271,21 +234,9 @@ _DOTLESS = (("a", "o", "u", "ss"), ("ae", "oe", "ue", "ß"), ("ae", "oe", "ue", 
 
 
 def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
-    sure, others = _lines(text)
-    return frozenset(_phrases(sure)), frozenset(_phrases(f"{sure}, {others}"))
+    sure, others = lines(text)
+    return frozenset(phrases(sure)), frozenset(phrases(f"{sure}, {others}"))
 
 
 def _where(book: Mapping[str, Any]) -> dict[str, str]:
     return {"stepping": "", **book["where"]}
-
-
-def _single(text: str) -> frozenset[str]:
-    return frozenset(phrase[0] for phrase in _phrases(text) if len(phrase) == 1)
-
-
-def _longest_first(text: str) -> tuple[Phrase, ...]:
-    return tuple(sorted(_phrases(text), key=len, reverse=True))
-
-
-def _phrase_words(phrases: Iterable[Phrase]) -> set[str]:
-    return {word for phrase in phrases for word in phrase}

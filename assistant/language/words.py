@@ -130,12 +130,23 @@ def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
     return _phrases(found, contractions)
 
 
+_SHARES = re.compile(r"(?<![\d/.,])(\d{1,2})/(\d{1,2})(?![\d/])")
+
+
+def _share(found: re.Match[str]) -> str:
+    """Return "0.75" for "3/4"; what is no share stays as it is."""
+    above, below = int(found.group(1)), int(found.group(2))
+    return f"{above / below:.12g}" if 0 < above < below else found.group()
+
+
 def _separated(text: str) -> str:
     """Put a space between a number and its unit, and take thousands of commas out."""
     text = (
         re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
     )
     text = re.sub(r"(?<![\d½¼¾])\"", " ", text)
+    text = _SHARES.sub(_share, text)
+    text = re.sub(r"(?<![a-z\d])x(?=\d)", "x ", text)
     text = re.sub(r"(?<=[a-z])0(?=[a-z])", "o", text)
     text = re.sub(r"\bs[ .-]t[ .-]o[ .-]p\b", "stop", text)
     text = re.sub(r"(?<=\d)\s*(?=[°%\"])", " ", text)
