@@ -72,6 +72,10 @@ class Frames:
     name_endings: tuple[str, ...]
     adverb_endings: tuple[str, ...]
 
+    def small(self, name: str) -> frozenset[str]:
+        """Return the small words that do something; a language may have none that do."""
+        return self.little.get(name, frozenset())
+
 
 @cache
 def frames(language: str) -> Frames | None:

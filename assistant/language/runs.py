@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
+from assistant.language.edges import is_particle, widened
 from assistant.language.frames import Frames, Span, Spans, frames, places
 from assistant.language.naming import known_name
 from assistant.language.parsing import Hearing, texts_of
@@ -41,7 +42,7 @@ class Runs:
         asking = places(("what", "why", "no"), spans)
         found: list[Span] = []
         for run in _stretches(words, used, blank, known):
-            trimmed = run if whole else _trimmed(run, words, known)
+            trimmed = run if whole else widened(_trimmed(run, words, known), words, used, known)
             if {word.text for word in words[slice(*trimmed)]} <= known.little["nobody"]:
                 continue
             if trimmed[1] - trimmed[0] <= LONGEST_NAME and not asking & set(range(*trimmed)):
@@ -90,7 +91,7 @@ class Runs:
 def _stretches(words: Words, used: set[int], blank: set[int], known: Frames) -> Iterator[Span]:
     """Yield stretches of words that no class took, little words inside kept."""
     joints, soft = known.little["joints"], known.little["soft"]
-    glue = known.little.get("glue", frozenset())
+    glue = known.small("glue")
     start = end = -1
     for at in range(len(words) + 1):
         last = at == len(words)
@@ -117,6 +118,8 @@ def _trimmed(run: Span, words: Words, known: Frames) -> Span:
     while end - start > 1 and words[start].text in heads:
         start += 1
     while end - start > 1 and words[end - 1].text in tails:
+        if is_particle(end - 1, start, words, known):
+            break
         end -= 1
     return start, end
 

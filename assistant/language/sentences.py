@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from assistant.language.edges import is_cut_short
 from assistant.language.frames import frames
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import DOUBTFUL, LIKELY, SURE, Hearing, Parse, texts_of
@@ -93,6 +94,9 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
         elif name in ("n", "nth"):
             slots["number"] = _number(texts_of(words), start, hearing)
         else:
+            known = frames(hearing.language)
+            if known is not None and is_cut_short(start, end, words, known):
+                return None
             several = sentence.extra == "list"
             value, trust = (
                 _names(part, hearing)
@@ -180,6 +184,7 @@ def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
     known = None if new else frames(hearing.language)
     heads = (known.little["heads"] - _STEPS if known else frozenset()) | ends | _BEFORE_NAMES
     tails = (known.little["tails"] - _STEPS if known else frozenset()) | ends
+    tails -= known.small("particles") if known else frozenset()
     counted = hearing.book.numbers
     while len(words) > 1 and words[0].text in heads and not counted.number(texts_of(words), 1):
         words = words[1:]

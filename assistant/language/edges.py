@@ -1,0 +1,74 @@
+"""Where the teacher's name of a step begins and ends: "push in", "take hold", "pick it up".
+
+Names of steps are verbs with what belongs to them. A particle behind one is part of the name
+unless a verb of the sentence takes it: "leave watering out" leaves out, "split lift off" is
+about lifting off.
+"""
+
+from __future__ import annotations
+
+from assistant.language.frames import Frames, Span
+from assistant.language.words import Words
+
+
+def widened(run: Span, words: Words, used: set[int], known: Frames) -> Span:
+    """Return a stretch with the little words at its ends that belong to the name."""
+    start, end = run
+    end = _with_pronoun(start, end, words, known)
+    while end < len(words) and is_particle(end, start, words, known) and _ends(end, words, known):
+        end += 1
+    if start and _led(start, end, words, used, known):
+        start -= 1
+    return start, end
+
+
+def is_particle(at: int, start: int, words: Words, known: Frames) -> bool:
+    """Tell a particle that belongs to the name begun at `start`, not to a verb before it."""
+    text = words[at].text
+    if words[at].broken or text not in known.small("particles"):
+        return False
+    parted = known.small("parted")
+    before = {word.text for word in words[:start]}
+    return not any(f"{verb} {text}" in parted for verb in before)
+
+
+def is_cut_short(start: int, end: int, words: Words, known: Frames) -> bool:
+    """Tell "pick it" where "up" follows: a verb and a pronoun are no name without it."""
+    if not start or end - start < 2 or end >= len(words) or words[end].broken:
+        return False
+    pronoun = words[end - 1].text in known.small("taken")
+    return pronoun and words[end].text in known.small("particles")
+
+
+def _ends(at: int, words: Words, known: Frames) -> bool:
+    """Tell whether no noun follows a particle: then it would lead to a place."""
+    after = words[at + 1] if at + 1 < len(words) else None
+    return after is None or after.broken or after.text not in known.small("determiners")
+
+
+def _with_pronoun(start: int, end: int, words: Words, known: Frames) -> int:
+    """Return the end of "pick it" in "pick it up": a pronoun the verb of the name takes."""
+    if end >= len(words) or words[end].broken or words[end].text not in known.small("taken"):
+        return end
+    verb = words[end - 1].text
+    after = words[end + 1].text if end + 1 < len(words) and not words[end + 1].broken else ""
+    if end - start != 1 or (start and words[start - 1].text in known.small("subjects")):
+        return end
+    if after in known.small("particles"):
+        return end + 2
+    doing = verb.endswith(known.name_endings) if known.name_endings else False
+    done = not after or after in known.small("verbs") or after in known.small("joints")
+    return end + 1 if done and not doing else end
+
+
+def _led(start: int, end: int, words: Words, used: set[int], known: Frames) -> bool:
+    """Tell whether "take" before "hold" begins the name, and is no verb of the sentence."""
+    light = words[start - 1]
+    if light.text not in known.small("light") or words[start].broken:
+        return False
+    if start == 1:
+        return end < len(words) and words[end].text in known.small("verbs")
+    lead = words[start - 2].text
+    if lead == "to":
+        return start - 2 in used and words[start - 3].text not in known.small("wanting")
+    return lead in known.small("leads")
