@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from assistant.language.listing import items, steps
 from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.sides import told_side
 from assistant.language.templates import Bound, Node, matches
 from assistant.language.words import Word, Words, said, told
-from assistant.language.wrappings import NAMES, loosened, said_of
+from assistant.language.wrappings import NAMES, headed, loosened, said_of
 from assistant.model.teacher_acts import Asked, Inform
 
 LISTS: frozenset[Asked] = frozenset(("objects", "actions"))
@@ -35,14 +37,19 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     if asked == "subtask_count":
         return _count(bare or words, book)
     bare = trimmed(said_of(bare, asked, book), book)
+    if asked in NAMES:
+        bare = trimmed(told_side(bare, asked, book), book)
+    listed = steps(headed(bare, book), book) if asked == "subtask_name" else ()
+    if listed:
+        return Inform(listed)
     core = _unwrapped(bare, asked, book)
     if core == bare or asked in NAMES:
         core = trimmed(loosened(core, asked, book), book)
     if not core:
         return None
     if asked in LISTS:
-        items = _items(core, book)
-        return Inform(items) if items else None
+        found = items(core, asked, book)
+        return Inform(found) if found else None
     if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in _ARTICLES:
         core = core[1:]
     if asked == "goal":
@@ -147,45 +154,6 @@ _COUNTED = frozenset(("step", "part", "subtask", "stage", "phase", "action", "pi
 def _is_none(texts: Sequence[str], book: Phrasebook) -> bool:
     joined = f" {' '.join(texts)} "
     return any(f" {' '.join(phrase)} " in joined for phrase in book.answer_words["none"])
-
-
-def _items(words: Words, book: Phrasebook) -> tuple[str, ...]:
-    """Split a list at commas and joining words, articles taken off."""
-    parts: list[list[Word]] = [[]]
-    at = 0
-    joints = book.answer_words["list_joints"]
-    while at < len(words):
-        joint = next(
-            (phrase for phrase in joints if _texts(words[at : at + len(phrase)]) == phrase), None
-        )
-        if joint is not None:
-            parts.append([])
-            at += len(joint)
-            continue
-        if words[at].broken:
-            parts.append([])
-        parts[-1].append(words[at])
-        at += 1
-    heads = {word for phrase in book.answer_words["item_heads"] for word in phrase}
-    parts = [part for part in parts if not {word.text for word in part} <= heads] or parts
-    items = (said(_without(_item(tuple(part), book), _ARTICLES)) for part in parts if part)
-    return tuple(item for item in items if item)
-
-
-def _item(words: Words, book: Phrasebook) -> Words:
-    heads = book.answer_words["item_heads"]
-    changed = True
-    while changed and len(words) > 1:
-        changed = False
-        for phrase in heads:
-            if len(phrase) < len(words) and _texts(words[: len(phrase)]) == phrase:
-                words, changed = words[len(phrase) :], True
-                break
-    return trimmed(words, book)
-
-
-def _without(words: Words, articles: frozenset[str]) -> Words:
-    return tuple(word for word in words if word.text not in articles) or words
 
 
 def _texts(words: Sequence[Word]) -> Phrase:

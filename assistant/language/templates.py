@@ -126,27 +126,28 @@ def matches(nodes: Sequence[Node], words: Sequence[str]) -> Iterator[Bound]:
 
 
 def _run(
-    nodes: tuple[Node, ...], words: Sequence[str], at: int, bound: Bound
+    nodes: tuple[Node, ...], words: Sequence[str], at: int, bound: Bound, *, tail: bool = True
 ) -> Iterator[tuple[int, Bound]]:
+    """Yield where matches of nodes end; at the `tail` a slot takes all that is left."""
     if not nodes:
         yield at, bound
         return
     node, rest = nodes[0], nodes[1:]
     if isinstance(node, str):
         if at < len(words) and words[at] == node:
-            yield from _run(rest, words, at + 1, bound)
+            yield from _run(rest, words, at + 1, bound, tail=tail)
         return
     if isinstance(node, Slot):
-        for end in _slot_ends(node, words, at, last=not rest):
-            yield from _run(rest, words, end, (*bound, (node.name, at, end)))
+        for end in _slot_ends(node, words, at, last=tail and not rest):
+            yield from _run(rest, words, end, (*bound, (node.name, at, end)), tail=tail)
         return
     if isinstance(node, Phrases):
         for end in _phrase_ends(node, words, at):
-            yield from _run(rest, words, end, bound)
+            yield from _run(rest, words, end, bound, tail=tail)
         return
     for way in node.ways:
-        for end, more in _run(way, words, at, bound):
-            yield from _run(rest, words, end, more)
+        for end, more in _run(way, words, at, bound, tail=tail and not rest):
+            yield from _run(rest, words, end, more, tail=tail)
 
 
 def _slot_ends(slot: Slot, words: Sequence[str], at: int, *, last: bool) -> Iterator[int]:

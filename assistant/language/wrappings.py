@@ -21,7 +21,7 @@ def loosened(words: Words, asked: Asked, book: Phrasebook) -> Words:
     if asked in NAMES:
         return _name(_marked(words, book), book)
     if asked in ("objects", "actions"):
-        words = _listed(words, book)
+        words = headed(words, book)
     return _bodies(words, book) if asked == "objects" else words
 
 
@@ -76,7 +76,7 @@ def _marked(words: Words, book: Phrasebook) -> Words:
     return words[cut:] if told else words
 
 
-def _listed(words: Words, book: Phrasebook) -> Words:
+def headed(words: Words, book: Phrasebook) -> Words:
     """Return what follows "the objects in question are", or "objects:"."""
     nouns = {phrase[0] for phrase in book.wrapping["list_nouns"]}
     copulas = {phrase[0] for phrase in book.wrapping["copulas"]}

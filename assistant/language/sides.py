@@ -1,0 +1,172 @@
+"""Which side of an answer holds it: of a contrast, of an "is", or of what was left out.
+
+"What you overlooked was wiping", "wiping is the one you don't have", "you dropped wiping" and
+"wiping got missed" all name the wiping. The sides that only play a part in the talk ("the one
+I mean", "that") are told by the words they begin with.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.words import Words
+from assistant.model.teacher_acts import Asked
+
+LONGEST_SIDE = 6
+
+
+def told_side(words: Words, asked: Asked, book: Phrasebook) -> Words:
+    """Return the words of an answer that name something; all if nothing shows which."""
+    words = _uncontrasted(words, book)
+    if asked == "body":
+        return _described(words, book)
+    if asked == "missing_step":
+        words = _left_out(words, book)
+    return _without_clause(_equated(words, book), book)
+
+
+def _uncontrasted(words: Words, book: Phrasebook) -> Words:
+    """Return "fork" for "fork not knife", "not the knife, the fork", "fork instead of knife"."""
+    texts = _texts(words)
+    being = _one(book, "being") | _one(book, "auxiliaries")
+    if texts[0] == "not":
+        cut = next((at for at in range(2, len(words)) if words[at].broken), 0)
+        return words[cut + (texts[cut] == "but") :] if cut else words
+    for at in range(1, len(words) - 1):
+        for phrase in book.wrapping.get("contrasts", ()):
+            told = texts[at : at + len(phrase)] == phrase and texts[at - 1] not in being
+            if told and len(words) - at - len(phrase) <= LONGEST_SIDE:
+                return words[:at]
+    return words
+
+
+def _equated(words: Words, book: Phrasebook) -> Words:
+    """Return the side of "is" that is not only a part of the talk: "the one I mean"."""
+    texts, being = _texts(words), _one(book, "being")
+    places = [at for at in range(1, len(words) - 1) if texts[at] in being]
+    for at in reversed(places):
+        left, right = _last_clause(words[:at]), words[at + 1 :]
+        if _is_part(left, book) and not _is_part(right, book) and not _hangs(right, book):
+            return right
+    for at in places:
+        left, right = words[:at], words[at + 1 :]
+        told = _is_part(right, book) and not _is_part(left, book) and not _names(right, book)
+        if told and not set(_texts(left)) <= _one(book, "pronouns") | _one(book, "wraps"):
+            return _without_pronoun(left, book)
+    return words
+
+
+def _is_part(words: Words, book: Phrasebook) -> bool:
+    """Tell words that only say what part is played: "what you forgot", "the missing one"."""
+    texts = _texts(words)
+    if not texts:
+        return False
+    if texts[0] in _one(book, "parts_begin"):
+        return True
+    modifiers, nouns = _one(book, "part_modifiers"), _one(book, "part_nouns")
+    at = 0
+    while at < len(texts) - 1 and texts[at] in modifiers and texts[at + 1] not in ("is", "was"):
+        at += 1
+    if texts[at] not in nouns or (at == 0 and texts[0] != "one"):
+        return False
+    if at + 1 == len(texts) or texts[at + 1] in _one(book, "part_tails"):
+        return True
+    of = texts[at + 1] in _one(book, "part_of")
+    return of and at + 2 < len(texts) and texts[at + 2] in _one(book, "part_whole")
+
+
+def _names(words: Words, book: Phrasebook) -> bool:
+    """Tell words that lead to a name: "what I would call dropping in"."""
+    texts = _texts(words)
+    anchors = book.wrapping["anchors"]
+    return any(texts[at : at + len(one)] == one for at in range(len(texts) - 1) for one in anchors)
+
+
+def _hangs(words: Words, book: Phrasebook) -> bool:
+    """Tell "missing" of "the one that is missing", which ends no answer."""
+    lacking = {phrase[0] for phrase in book.wrapping.get("lacked", ())}
+    return words[0].text in lacking or words[0].text in _one(book, "hanging")
+
+
+def _last_clause(words: Words) -> Words:
+    """Return the clause that leads to "is": behind "and" or a mark and a part of the talk."""
+    cuts = [at + 1 for at in range(1, len(words) - 1) if words[at].text in ("and", "but", "so")]
+    return words[max(cuts, default=0) :]
+
+
+def _without_pronoun(words: Words, book: Phrasebook) -> Words:
+    if len(words) > 1 and words[-1].text in _one(book, "pronouns"):
+        return words[:-1]
+    return words
+
+
+def _left_out(words: Words, book: Phrasebook) -> Words:
+    """Return what was left out: behind "you dropped", or before "got missed"."""
+    texts = _texts(words)
+    for at in range(len(words)):
+        for phrase in book.wrapping.get("lacks", ()):
+            end = at + len(phrase)
+            if texts[at:end] == phrase and end < len(words) and not words[end].broken:
+                return _object(words[end:], book)
+    for at in range(1, len(words)):
+        for phrase in book.wrapping.get("lacked", ()):
+            if texts[at : at + len(phrase)] == phrase and at + len(phrase) == len(words):
+                return _subject(words[:at], book)
+    return words
+
+
+def _object(words: Words, book: Phrasebook) -> Words:
+    cut = next((at for at in range(1, len(words)) if words[at].broken), len(words))
+    found = words[:cut]
+    if len(found) > 1 and found[-1].text in _one(book, "lack_ends"):
+        found = found[:-1]
+    return found
+
+
+def _subject(words: Words, book: Phrasebook) -> Words:
+    helping = _one(book, "auxiliaries") | _one(book, "being")
+    while len(words) > 1 and words[-1].text in helping:
+        words = words[:-1]
+    return _without_pronoun(words, book)
+
+
+def _without_clause(words: Words, book: Phrasebook) -> Words:
+    """Drop what follows a mark and begins anew: "wiping, that is what I would say"."""
+    subjects = _one(book, "pronouns") | _one(book, "subjects")
+    leads = {word for phrase in book.answer_words["heads"] for word in phrase}
+    for at in range(1, len(words) - 1):
+        if words[at].broken and words[at].text in subjects and not _names(words[at:], book):
+            led = {word.text for word in words[:at]} <= _one(book, "wraps") | subjects | leads
+            return words if led else words[:at]
+    return words
+
+
+def _described(words: Words, book: Phrasebook) -> Words:
+    """Return what a body is like: before "this is the plate", or behind "the plate is"."""
+    texts, being = _texts(words), _one(book, "being")
+    for at in range(1, len(words) - 1):
+        if texts[at] in _one(book, "pronouns") and texts[at + 1] in being:
+            return _last_part(words[:at])
+    places = [at for at in range(1, min(len(words) - 1, LONGEST_SIDE)) if texts[at] in being]
+    named = places and texts[0] in _one(book, "part_modifiers")
+    words = words[places[0] + 1 :] if named else words
+    texts = _texts(words)
+    for phrase in book.wrapping.get("pointing", ()):
+        if texts[-len(phrase) :] == phrase and len(phrase) < len(words):
+            return words[: -len(phrase)]
+    return words
+
+
+def _last_part(words: Words) -> Words:
+    cuts = [0, *(at for at in range(1, len(words)) if words[at].broken), len(words)]
+    start, end = list(pairwise(cuts))[-1]
+    return words[start:end]
+
+
+def _one(book: Phrasebook, name: str) -> frozenset[str]:
+    return frozenset(phrase[0] for phrase in book.wrapping.get(name, ()) if len(phrase) == 1)
+
+
+def _texts(words: Words) -> Phrase:
+    return tuple(word.text for word in words)
