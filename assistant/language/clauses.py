@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 from assistant.language.frames import frames
 from assistant.language.framing import framed
+from assistant.language.key_states import key_state
 from assistant.language.located import (
     acted_correction,
     correction,
     explained,
-    key_state,
     located_correction,
 )
 from assistant.language.parsing import (
@@ -25,6 +25,7 @@ from assistant.language.parsing import (
 )
 from assistant.language.poses import read_pose
 from assistant.language.sentences import best_sentence
+from assistant.language.shifts import read_shift
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     AddSubtask,
@@ -152,6 +153,10 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     pose = read_pose(texts, [w.broken for w in words], hearing.listening, hearing.book)
     if pose is not None:
         yield Parse((pose.act,), explained(pose.unexplained) + 0.01)
+    shift = read_shift(texts, hearing.listening, hearing.book)
+    if shift is not None:
+        yield Parse((shift.act,), explained(shift.unexplained) + 0.01)
+        return
     leading = texts[0] == "right" and len(words) > 2 and words[1].broken
     moved = None if leading else correction(texts, hearing)
     if moved is not None:

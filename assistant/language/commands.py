@@ -5,10 +5,13 @@ from __future__ import annotations
 from assistant.language.answers import OPEN
 from assistant.language.clauses import clause
 from assistant.language.compounds import compound, corrected, once_more, united
+from assistant.language.contrasts import contrasted, denied
 from assistant.language.mending import mended
+from assistant.language.merging import merged
 from assistant.language.parsing import (
     ACTING,
     DOUBTFUL,
+    GUESSED,
     LIKELY,
     NAMED,
     SURE,
@@ -19,6 +22,7 @@ from assistant.language.parsing import (
 from assistant.language.words import Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
+    AdjustLast,
     Affirm,
     Again,
     Approve,
@@ -28,6 +32,7 @@ from assistant.model.teacher_acts import (
     Resume,
     Save,
     Start,
+    Stop,
     TeacherAct,
     Undo,
     Unknown,
@@ -64,9 +69,15 @@ def consent(words: Words, hearing: Hearing) -> Parse | None:
 def command(words: Words, hearing: Hearing) -> Parse | None:
     """Return the clause as a whole, corrected by its speaker, or cut into several."""
     words = united(words, hearing)
+    told = _denied(words, hearing)
+    if told is not None:
+        return told
     repeated = once_more(words, hearing)
     if repeated is not None:
-        return repeated
+        return settled(repeated, hearing.listening)
+    ruled_out = contrasted(words, hearing)
+    if ruled_out is not None:
+        return settled(ruled_out, hearing.listening)
     taken_back = _mended(words, hearing)
     if taken_back is not None:
         return settled(taken_back, hearing.listening)
@@ -83,6 +94,21 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
         if whole is not None and whole.score >= LIKELY:
             break
     return None if whole is None else settled(whole, hearing.listening)
+
+
+def _denied(words: Words, hearing: Hearing) -> Parse | None:
+    """Read a no to the question asked with what is wanted instead: "no, I said slower"."""
+    if hearing.listening.asked not in _NO_WITH_MORE:
+        return None
+    parted = denied(words, hearing)
+    found = command(parted[1], hearing) if parted else None
+    if found is None or found.score < GUESSED or any(isinstance(a, _NO_MORE) for a in found.acts):
+        return None
+    return Parse((Deny(), *found.acts), min(found.score, LIKELY), found.how)
+
+
+_NO_WITH_MORE = _YES_OR_NO | {"satisfied"}
+_NO_MORE = (Deny, Affirm, Unknown, Stop, Undo, RepeatLine, AdjustLast, Save, Approve)
 
 
 def _mended(words: Words, hearing: Hearing) -> Parse | None:
@@ -123,7 +149,7 @@ def settled(parse: Parse, listening: Listening) -> Parse:
         acts = acts[:1] if listening.asked else acts[-1:]
     if any(isinstance(act, Resume) for act in acts):
         acts = tuple(act for act in acts if not isinstance(act, Start | Undo))
-    unique = tuple(dict.fromkeys(acts))
+    unique = merged(tuple(dict.fromkeys(acts)))
     if unique == (Unordered(),) and listening.stage == "practice":
         return Parse(unique, DOUBTFUL, parse.how)
     return Parse(unique, parse.score, parse.how)

@@ -5,53 +5,31 @@ from __future__ import annotations
 from itertools import pairwise
 
 from assistant.language.clauses import clause
+from assistant.language.contrasts import GROUPS
 from assistant.language.located import correction
+from assistant.language.merging import CORRECTIONS
 from assistant.language.motion import tags_of
-from assistant.language.parsing import ACTING, LIKELY, SURE, Hearing, Parse, texts_of
+from assistant.language.parsing import (
+    ACTING,
+    LIKELY,
+    SURE,
+    Hearing,
+    Parse,
+    texts_of,
+)
 from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import (
-    AdjustLast,
-    AdjustSpeed,
     Affirm,
     Again,
     Deny,
-    Gripper,
-    Rotate,
     Stop,
     TeacherAct,
-    Translate,
     Unknown,
 )
 
-_CORRECTIONS = (Translate, Rotate, AdjustSpeed, Gripper, AdjustLast)
 _IDLE = (Unknown, Affirm, Deny)
 _PARTING = frozenset(("and", "but", "so", "because", "then", "und", "aber", "weil"))
 _JOINTS = frozenset(("and", "then", "but", "also", "plus", "und", "aber", "dann"))
-_GROUPS = {
-    "way": frozenset(
-        [
-            "left",
-            "right",
-            "up",
-            "down",
-            "forward",
-            "backward",
-            "clockwise",
-            "counterclockwise",
-            "up-er",
-            "down-er",
-            "high",
-            "low",
-            "raise",
-            "lower",
-            "advance",
-            "retreat",
-        ]
-    ),
-    "amount": frozenset(("quantity", "little", "much")),
-    "pace": frozenset(("faster", "slower", "fast", "slow")),
-    "verb": frozenset(("turn", "tilt", "move")),
-}
 
 
 def compound(words: Words, hearing: Hearing) -> Parse | None:
@@ -73,7 +51,7 @@ def united(words: Words, hearing: Hearing) -> Words:
         end = quantity.end if quantity else at + 1
         found.extend(words[at:end])
         ways = (motion.get(texts[end : end + size], "") for size in (3, 2, 1))
-        leading = next((kind for kind in ways if kind), "") in _GROUPS["way"]
+        leading = next((kind for kind in ways if kind), "") in GROUPS["way"]
         counted = quantity.kind == "" if quantity else texts[at] in numbers.articles
         if quantity is not None and quantity.kind == "m":
             unit = texts[end - 1] if texts[end - 1] in numbers.units else ""
@@ -102,7 +80,7 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
             found.extend(parse.acts)
         missed += parse is None or parse.score < ACTING
     acts = tuple(dict.fromkeys(found))
-    if len(acts) > 1 and not all(isinstance(act, _CORRECTIONS) for act in acts):
+    if len(acts) > 1 and not all(isinstance(act, CORRECTIONS) for act in acts):
         acts = acts[-1:]
     if not acts or (missed > 3 and not _asked_for(words)):
         return None
@@ -157,7 +135,7 @@ def once_more(words: Words, hearing: Hearing) -> Parse | None:
         parse = clause(rest, hearing) if rest else None
         if parse is None or parse.score < LIKELY:
             parse = compound(rest, hearing) if rest else None
-        if parse is not None and parse.score >= LIKELY and isinstance(parse.acts[0], _CORRECTIONS):
+        if parse is not None and parse.score >= LIKELY and isinstance(parse.acts[0], CORRECTIONS):
             return Parse((*parse.acts, Again()), parse.score)
     return None
 
@@ -185,14 +163,14 @@ def corrected(words: Words, hearing: Hearing) -> Parse | None:
             found = _replaced(words[:at], words[at + size :], hearing, marked=words[at].broken)
             if found is not None:
                 return found
-    return _contrasted(words, hearing)
+    return None
 
 
 def _replaced(before: Words, behind: Words, hearing: Hearing, *, marked: bool) -> Parse | None:
     """Put the new words where the same classes of words stood before."""
     said = tags_of(texts_of(before), hearing.book, hearing.names)
     new = tags_of(texts_of(behind), hearing.book, hearing.names)
-    groups = [group for group in _GROUPS.values() if any(tag.kind in group for tag in new)]
+    groups = [group for group in GROUPS.values() if any(tag.kind in group for tag in new)]
     if groups and any(tag.kind in group for tag in said for group in groups[:1]):
         kept = [t for t in said if not any(t.kind in g for g in groups)]
         kept_words = tuple(word for tag in kept for word in tag.words)
@@ -207,27 +185,3 @@ def _replaced(before: Words, behind: Words, hearing: Hearing, *, marked: bool) -
     if not (marked or understood):
         return None
     return Parse(parse.acts, SURE - 0.04 if understood else 0.8)
-
-
-def _contrasted(words: Words, hearing: Hearing) -> Parse | None:
-    """Read "left, not right", "not left but right", "left instead of right"."""
-    texts = texts_of(words)
-    for phrase in (("not",), ("instead", "of"), ("rather", "than")):
-        for at in range(len(texts) - len(phrase)):
-            if texts[at : at + len(phrase)] != phrase:
-                continue
-            end = at + len(phrase)
-            while end < len(texts) and texts[end] in ("to", "the", "so", "too"):
-                end += 1
-            end += 1
-            while end < len(texts) and texts[end] in ("but", "rather"):
-                end += 1
-            kept: tuple[Word, ...] = words[:at] + words[end:]
-            dropped = tags_of(texts[at + len(phrase) : end], hearing.book, hearing.names)
-            turned = any(tag.kind in _GROUPS["way"] | _GROUPS["pace"] for tag in dropped)
-            left = tags_of(texts_of(kept), hearing.book, hearing.names)
-            if turned and any(tag.kind in _GROUPS["way"] | _GROUPS["pace"] for tag in left):
-                parse = correction(texts_of(kept), hearing)
-                if parse is not None and parse.score >= LIKELY:
-                    return Parse(parse.acts, parse.score - 0.03)
-    return None

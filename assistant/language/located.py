@@ -1,11 +1,11 @@
-"""Corrections of the motion, with where in the task they belong, and key states."""
+"""Corrections of the motion, with where in the task they belong."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
-from assistant.language.motion import read_motion
+from assistant.language.motion import WAYS, read_motion, tags_of
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import (
     DOUBTFUL,
@@ -17,15 +17,13 @@ from assistant.language.parsing import (
     bared,
     texts_of,
 )
-from assistant.language.phrasebook import Phrase
+from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.sentences import LONGEST_NAME, best_sentence
 from assistant.language.words import Words, said
 from assistant.model.feedback import When
 from assistant.model.teacher_acts import (
     AdjustSpeed,
-    Cue,
     Gripper,
-    KeyState,
     Rotate,
     Translate,
     Where,
@@ -81,27 +79,58 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     if texts[0] in _ASKING_WHY and texts[1:2] not in (("if",), ("about",)):
         return None
-    where = hearing.book.where
     returning = {"back"} & set(texts) and {"when", "before", "until"} & set(texts)
     if returning and texts[0] in ("go", "back", "return", "get", "take"):
         return None
     stated = _stated(words, hearing)
     if stated is not None:
         return stated
-    whens: tuple[When, ...] = ("before", "after", "during")
-    for when in whens:
-        for phrase in where[when]:
-            size = len(phrase)
-            if texts[:size] == phrase:
-                found = _front(words, size, when, hearing)
-                if found is not None:
-                    return found
-            for at in range(1, len(texts) - size):
-                if texts[at : at + size] == phrase:
-                    found = _joined(words[:at], words[at + size :], phrase, when, hearing)
-                    if found is not None:
-                        return found
-    return None
+    best: Parse | None = None
+    for at, phrase, when in marks(texts, hearing.book):
+        found = _marked(words, at, phrase, when, hearing)
+        if found is not None and (best is None or found.score > best.score):
+            best = found
+    return best
+
+
+def marks(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, Phrase, When]]:
+    """Yield where words stand that say when: the longest phrase of each place."""
+    for at in range(len(texts) - 1):
+        begun = book.whens.get(texts[at], ())
+        found = [one for one in begun if texts[at : at + len(one[0])] == one[0]]
+        longest = max((len(phrase) for phrase, _ in found), default=0)
+        yield from ((at, phrase, when) for phrase, when in found if len(phrase) == longest)
+
+
+def _marked(words: Words, at: int, phrase: Phrase, when: When, hearing: Hearing) -> Parse | None:
+    """Read the place behind a mark and the correction around it."""
+    start = at + len(phrase)
+    best: Parse | None = None
+    for end in _ends(words, at, start, hearing):
+        told = (*words[:at], *words[end:])
+        found = _joined(told, words[start:end], phrase, when, hearing)
+        if found is not None and found.score >= LIKELY:
+            return found
+        if found is not None and (best is None or found.score > best.score):
+            best = found
+    return best
+
+
+def _ends(words: Words, at: int, start: int, hearing: Hearing) -> Iterator[int]:
+    """Yield where a place that begins at `start` may end, the likeliest first."""
+    breaks = [end for end in range(start + 1, len(words)) if words[end].broken]
+    if at:
+        yield from (len(words), *breaks)
+        return
+    yield from breaks
+    if breaks:
+        return
+    parted = _parted(words, hearing)
+    for end in sorted(range(start + 1, len(words)), key=lambda one: (one in parted, one)):
+        loose = words[end].text in ("it", "the", "a", "an", "that", "and", "to")
+        stated = words[end].text in ("it", "that") and texts_of(words)[end + 1 : end + 2] in _STATED
+        if stated or not loose:
+            yield end
 
 
 def acted_correction(words: Words, hearing: Hearing) -> Parse | None:
@@ -147,72 +176,99 @@ def _at(parse: Parse, spot: Where, score: float) -> Parse | None:
     return Parse(acts, score) if len(acts) == len(parse.acts) else None
 
 
-def _front(words: Words, size: int, when: When, hearing: Hearing) -> Parse | None:
-    breaks = [at for at in range(size + 1, len(words)) if words[at].broken]
-    free = sorted(range(size + 1, len(words)), key=lambda at: (at - 1 in _parted(words), at))
-    for at in breaks or free:
-        loose = words[at].text in ("it", "the", "a", "an", "that", "and", "to")
-        stated = words[at].text in ("it", "that") and texts_of(words)[at + 1 : at + 2] in _STATED
-        if loose and not words[at].broken and not stated:
-            continue
-        found = _joined(words[at:], words[size:at], texts_of(words[:size]), when, hearing)
-        if found is not None:
-            return found
-    return None
-
-
-def _parted(words: Words) -> frozenset[int]:
-    """Return where words in -ing stand whose particle follows: "putting | down"."""
-    return frozenset(
-        at
-        for at in range(len(words) - 1)
-        if words[at].text.endswith("ing") and words[at + 1].text in _PARTICLES
-    )
+def _parted(words: Words, hearing: Hearing) -> frozenset[int]:
+    """Return where particles stand that belong to the verb before: "putting | down"."""
+    motion = hearing.book.motion
+    kinds = [motion.get((word.text,), "") for word in words]
+    parted = set()
+    for at in range(1, len(words)):
+        particle = words[at].text in _PARTICLES
+        only_way = kinds[at] in WAYS and not any(kind in WAYS for kind in kinds[at + 1 :])
+        if particle and (words[at - 1].text.endswith("ing") or not only_way):
+            parted.add(at)
+    return frozenset(parted)
 
 
 _STATED = (("should",), ("needs",), ("must",), ("has",), ("is",), ("could",), ("ought",))
-_NO_STEPS = frozenset(("something", "anything", "nothing", "everything", "thing", "ring", "string"))
+_NO_STEPS = frozenset(
+    ("liking", "something", "anything", "nothing", "everything", "thing", "ring", "string")
+)
 _PARTICLES = frozenset(("up", "down", "in", "out", "on", "off", "over", "away", "back", "aside"))
 
 
 def _joined(
     told: Words, place: Words, phrase: Phrase, when: When, hearing: Hearing
 ) -> Parse | None:
-    subject, where = _place(place, hearing), hearing.book.where
-    weak = phrase in _WEAK
+    subject = _without_noun(_place(place, hearing))
     if not subject or len(subject) > LONGEST_NAME:
         return None
     if not told or told[-1].text in ("to", "of", "by", "and", "from"):
         return None
     texts = texts_of(subject)
-    if texts in ((("you",), ("i",), ("we",), ("the",))):
-        return None
-    if any(text in hearing.book.chat for text in texts):
-        return None
     known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
-    listed = without_article(texts) in where["stepping"]
-    told_step = listed or any(t.endswith("ing") and t not in _NO_STEPS for t in texts)
-    vague = weak and known is None and phrase != ("once",) and not told_step
-    if vague or _is_amount(texts, hearing):
+    trust = SURE if known else _trust(texts, phrase, hearing)
+    if trust == 0.0:
         return None
+    spot = Where(known or said(subject), when)
+    best: Parse | None = None
     for bare in bared(told, hearing.book):
         parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
-        if parse is None or parse.score < LIKELY:
+        if parse is None or parse.score < DOUBTFUL:
             continue
-        found = _at(
-            parse, Where(known or said(subject), when), SURE if known or listed else LIKELY + 0.01
-        )
-        if found is not None:
+        score = trust if parse.score >= LIKELY else min(trust, _PARTLY)
+        found = _at(parse, spot, score)
+        if found is not None and score >= LIKELY:
             return found
-    return None
+        best = best or found
+    return best
 
 
+def _trust(texts: Phrase, phrase: Phrase, hearing: Hearing) -> float:
+    """Return how sure it is that words no task knows name a step; 0 if they cannot."""
+    book = hearing.book
+    if texts in (("you",), ("i",), ("we",), ("the",)) or any(t in book.chat for t in texts):
+        return 0.0
+    if _is_amount(texts) or _moving(texts, hearing):
+        return 0.0
+    listed = without_article(texts) in book.where["stepping"]
+    told_step = listed or any(t.endswith("ing") and t not in _NO_STEPS for t in texts)
+    if phrase in _WEAK and phrase != ("once",) and not told_step:
+        odd = [t for t in texts if (t,) not in book.motion and t not in book.empty]
+        bodies = {word for one in book.answer_words["pose_bodies"] for word in one} | hearing.names
+        named = odd and not bodies & set(texts) and not set(odd) & _NO_PLACES
+        own = texts[0] in ("my", "your", "to", "an")
+        return _PARTLY if named and not own and len(texts) <= _SHORT else 0.0
+    return SURE if listed else LIKELY + 0.01
+
+
+def _moving(texts: Phrase, hearing: Hearing) -> bool:
+    """Tell words that tell how far or how fast, which no place does."""
+    tags = tags_of(texts, hearing.book, frozenset())
+    return any(tag.kind in _NO_PLACE_KINDS for tag in tags)
+
+
+def _without_noun(words: Words) -> Words:
+    """Take the noun off "the pick it up step"."""
+    return words[:-1] if len(words) > 1 and words[-1].text in _STEP_NOUNS else words
+
+
+_PARTLY = 0.78
+_SHORT = 3
+_STEP_NOUNS = frozenset(("step", "part", "phase", "stage", "bit", "subtask"))
+_NO_PLACE_KINDS = frozenset(
+    ("quantity", "little", "much", "faster", "slower", "speed", "too", "enough")
+)
+_NO_PLACES = frozenset(
+    ["total", "least", "once", "average", "front", "sure", "fact", "time", "i", "he", "she", "they",
+     "what", "which", "who", "air", "table", "floor", "top", "bottom", "middle", "half", "general",
+     "particular", "case", "future", "first", "last", "next", "goodness", "sake", "god", "mind"]
+)  # fmt: skip
 _WEAK = frozenset(
     (("at",), ("in",), ("for",), ("as",), ("once",), ("following",), ("on",), ("upon",))
 )
 
 
-def _is_amount(texts: Phrase, hearing: Hearing) -> bool:
+def _is_amount(texts: Phrase) -> bool:
     return all(text in ("it", "that", "this", "once", "least", "all", "now") for text in texts)
 
 
@@ -223,51 +279,3 @@ def _place(words: Words, hearing: Hearing) -> Words:
         if len(phrase) < len(words) and texts[: len(phrase)] == phrase:
             return _place(words[len(phrase) :], hearing)
     return words
-
-
-def key_state(words: Words, hearing: Hearing) -> Parse | None:
-    """Read what a teacher who demonstrates calls attention to."""
-    if hearing.listening.stage != "demonstration" or _cued_behind(words, hearing):
-        return None
-    lists = hearing.book.answer_words
-    marked, words_before = False, words
-    while (cut := _marker(words, lists["key_markers"])) and len(words) > cut:
-        words, marked = words[cut:], True
-    texts = texts_of(words)
-    nouns = {word for phrase in lists["key_nouns"] for word in phrase} | hearing.names
-    verbs = {word for phrase in lists["key_verbs"] for word in phrase}
-    weak = {"it", "they", "both", "is", "are", "was", "got", "does", "no"}
-    strong = (set(texts) & (nouns | verbs)) - weak
-    concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
-    concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
-    callings = {word for phrase in lists["key_calling"] for word in phrase}
-    calling = bool(words_before) and words_before[0].text in callings
-    concerned = concerned or (calling and bool(set(texts) & verbs - weak) and len(texts) > 3)
-    if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
-        return None
-    asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
-    if not concerned or asking or len(texts) < 3:
-        return None
-    if texts[0] in ("i", "we", "my", "they", "he", "she") and not marked:
-        return Parse((KeyState(said(words)),), DOUBTFUL)
-    return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
-
-
-def _cued_behind(words: Words, hearing: Hearing) -> bool:
-    """Tell whether the last clause is a cue: "the cup is full now, next step"."""
-    last = max((at for at in range(1, len(words)) if words[at].broken), default=0)
-    told = best_sentence(words[last:], hearing) if last else None
-    return told is not None and isinstance(told.acts[0], Cue)
-
-
-def _stated_now(texts: Phrase) -> bool:
-    """Tell "the can is gripped now", whatever the can is."""
-    stating = {"is", "are", "has", "have", "sits", "lies", "stands", "hangs", "rests"}
-    at = next((n for n, text in enumerate(texts) if text in stating), 0)
-    talk = {"i", "you", "we", "he", "she", "they", "my", "that", "this", "what", "there", "step"}
-    return 0 < at <= 4 and not set(texts[:at]) & talk and texts[-1] == "now"
-
-
-def _marker(words: Words, markers: Sequence[Phrase]) -> int:
-    texts = texts_of(words)
-    return next((len(phrase) for phrase in markers if texts[: len(phrase)] == phrase), 0)

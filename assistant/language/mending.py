@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from assistant.language.motion import tags_of
 from assistant.language.parsing import Hearing, texts_of
 from assistant.language.phrasebook import Phrase
 from assistant.language.words import Word, Words
@@ -25,9 +26,12 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
         if phrase is None or any(texts[at : at + len(one)] == one for one in kept):
             continue
         at_end = at + len(phrase) == len(words)
-        if not (words[at].broken or len(phrase) > 1 or at_end):
+        between = not at_end and _alike(words[at - 1], words[at + len(phrase)], hearing)
+        if not (words[at].broken or len(phrase) > 1 or at_end or between):
             continue
-        before, behind = words[:at], _without_marks(words[at + len(phrase) :], marks)
+        if at_end and phrase in _TAGS and not any(word.broken for word in words[1:at]):
+            continue
+        before, behind = words[:at], without_marks(words[at + len(phrase) :], marks)
         before = _without_marks_behind(before, marks)
         if not before:
             continue
@@ -38,15 +42,19 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
             yield from _replaced(before[:cut], before[cut:], hearing)
 
 
-def _without_marks(words: Words, marks: Sequence[Phrase]) -> Words:
+_TAGS = frozenset((("no",), ("right",)))
+"""Behind a single clause they ask for consent: "go a bit up, no"."""
+
+
+def without_marks(words: Words, marks: Sequence[Phrase]) -> Words:
     """Take further marks off the front, and one off the end: "sorry, slower I meant"."""
     texts = texts_of(words)
     for phrase in marks:
         size = len(phrase)
         if len(words) > size and texts[:size] == phrase:
-            return _without_marks(words[size:], marks)
+            return without_marks(words[size:], marks)
         if len(words) > size and texts[-size:] == phrase:
-            return _without_marks(words[:-size], marks)
+            return without_marks(words[:-size], marks)
     return words
 
 
@@ -60,9 +68,11 @@ def _without_marks_behind(words: Words, marks: Sequence[Phrase]) -> Words:
 
 def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]:
     first = behind[0]
-    amount = _amount(before, hearing)
-    if amount and not _amount(behind, hearing):
-        yield (*amount, *behind)
+    amount, again = _amount(before, hearing), _amount(behind, hearing)
+    if amount and not again:
+        yield (*before[slice(*amount)], *behind)
+    if amount and again and again[0] == 0:
+        yield (*before[: amount[0]], *behind[: again[1]], *before[amount[1] :], *behind[again[1] :])
     least = max(-1, len(before) - 1 - LONGEST_TAKEN_BACK)
     for at in range(len(before) - 1, least, -1):
         if _alike(before[at], first, hearing):
@@ -76,14 +86,16 @@ def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]
 _REFERRING, _BEING = frozenset(("it", "that", "this")), frozenset(("is", "was", "should"))
 
 
-def _amount(words: Words, hearing: Hearing) -> Words:
-    """Return how far or how much was told, which holds unless it is told again."""
-    texts, numbers = texts_of(words), hearing.book.numbers
-    for at in range(len(words)):
-        found = numbers.quantity(texts, at)
-        if found is not None and found.kind in ("m", "deg"):
-            return words[at : found.end]
-    return ()
+def _amount(words: Words, hearing: Hearing) -> tuple[int, int] | None:
+    """Return where it is told how far or how much, which holds unless it is told again."""
+    at = 0
+    for tag in tags_of(texts_of(words), hearing.book, hearing.names):
+        end = at + len(tag.words)
+        measured = tag.quantity is not None and tag.quantity.kind in ("m", "deg")
+        if measured or tag.kind in ("little", "much"):
+            return at, end
+        at = end
+    return None
 
 
 def _unbroken(word: Word, place: Word) -> Word:

@@ -31,7 +31,7 @@ OPPOSITE = {
     "faster": "slower",
     "slower": "faster",
 }
-_WAYS = {
+WAYS = {
     **{way: way for way in OPPOSITE if way not in ("faster", "slower")},
     "up-er": "up",
     "down-er": "down",
@@ -100,13 +100,13 @@ def read_motion(
         unexplained += empty
     if any(kind in _PACES or kind == "speed" for kind in kinds):
         paced = _speed(tags, words)
-        rest = [tag for tag in tags if tag.kind in _WAYS]
+        rest = [tag for tag in tags if tag.kind in WAYS]
         if paced is None:
             return None
         noun = "speed" in kinds
         odd = sum(t.kind not in _UPDOWN or not noun for t in rest)
         return Reading((paced,), unexplained + odd, empty)
-    ways = [at for at, kind in enumerate(kinds) if kind in _WAYS]
+    ways = [at for at, kind in enumerate(kinds) if kind in WAYS]
     if not ways:
         return None
     groups = _groups(tags, ways)
@@ -158,11 +158,11 @@ def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]
 
 
 def _way(tags: Sequence[Tag], at: int) -> str:
-    return _WAYS[tags[at].kind]
+    return WAYS[tags[at].kind]
 
 
 def _displacement(tags: Sequence[Tag], *, turning: bool) -> TeacherAct | None:
-    way = next((_WAYS[tag.kind] for tag in tags if tag.kind in _WAYS), None)
+    way = next((WAYS[tag.kind] for tag in tags if tag.kind in WAYS), None)
     if way is None:
         return None
     if _flipped(tags):

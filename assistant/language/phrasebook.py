@@ -31,6 +31,7 @@ from assistant.language.templates import (
     has_slot,
     needed_words,
 )
+from assistant.model.feedback import When
 from assistant.plain_yaml import read_file
 
 LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
@@ -69,12 +70,15 @@ class Phrasebook:
     closing: frozenset[Phrase]
     correction: tuple[Phrase, ...]
     contrary: tuple[frozenset[str], ...]
+    contrasting: tuple[Phrase, ...]
+    restating: tuple[Phrase, ...]
     not_taken_back: tuple[Phrase, ...]
     consenting: frozenset[Phrase]
     numbers: NumberWords
     motion: Mapping[Phrase, str]
     motion_begun: Mapping[str, tuple[Phrase, ...]]
     where: Mapping[str, tuple[Phrase, ...]]
+    whens: Mapping[str, tuple[tuple[Phrase, When], ...]]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
@@ -133,6 +137,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     told = ",".join([classes["empty"], classes["polite"], *classes["classes"].values()])
     vocabulary |= phrase_words(phrases(told))
     vocabulary |= {*numbers.ordinals, *phrase_words(numbers.also)}
+    vocabulary |= phrase_words(phrases(",".join(_where(book).values())))
     return Phrasebook(
         contractions=_contractions(book, vocabulary),
         fillers=frozenset(phrases(book["fillers"])),
@@ -143,12 +148,15 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         contrary=tuple(
             frozenset(word for (word,) in phrases(line)) for line in lines(book["contrary"])
         ),
+        contrasting=longest_first(book.get("contrasting", "")),
+        restating=longest_first(book.get("restating", "") + "," + book["correction"]),
         not_taken_back=longest_first(book["not_taken_back"]),
         consenting=frozenset(phrases(book["consenting"])),
         numbers=numbers,
         motion=motion,
         motion_begun=by_first_word(motion),
         where={name: longest_first(told) for name, told in _where(book).items()},
+        whens=_whens(book["where"]),
         chat=frozenset(phrase[0] for phrase in phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
@@ -236,6 +244,16 @@ _DOTLESS = (("a", "o", "u", "ss"), ("ae", "oe", "ue", "ß"), ("ae", "oe", "ue", 
 def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
     sure, others = lines(text)
     return frozenset(phrases(sure)), frozenset(phrases(f"{sure}, {others}"))
+
+
+def _whens(where: Mapping[str, str]) -> Mapping[str, tuple[tuple[Phrase, When], ...]]:
+    """Return phrases that say when something holds, by the word they begin with."""
+    found: dict[str, list[tuple[Phrase, When]]] = {}
+    whens: tuple[When, ...] = ("before", "after", "during")
+    for when in whens:
+        for phrase in longest_first(where[when]):
+            found.setdefault(phrase[0], []).append((phrase, when))
+    return {first: tuple(ones) for first, ones in found.items()}
 
 
 def _where(book: Mapping[str, Any]) -> dict[str, str]:

@@ -63,15 +63,10 @@ def read_pose(
     name = body[0] if body else _only(listening)
     position = _position(lengths)
     turned = _turned(angles, words)
-    by = None if position else _by(words, book)
+    by = None if position else displacement(words, book)
     if by is None and position is None and (turned is None or body is None):
         return None
-    if (
-        position is None
-        and by is not None
-        and body is not None
-        and not _told(words, book, listening)
-    ):
+    if by is not None and body is not None and not _told(words, book, listening):
         return None
     spent = {at for one in numbers for at in range(one.start, one.quantity.end)}
     spent |= set(range(body[1], body[2])) if body else set()
@@ -93,6 +88,9 @@ def _told(words: Sequence[str], book: Phrasebook, listening: Listening) -> bool:
     if listening.asked == "pose":
         return True
     stated, targets = _listed(book, "stated"), _listed(book, "targets")
+    wanted = book.answer_words.get("pose_wanting", ())
+    if any((word,) in wanted or book.motion.get((word,)) == "too" for word in words):
+        return False
     return bool(stated & set(words)) or bool(targets & set(words[:3]))
 
 
@@ -109,14 +107,23 @@ def _body(
         for at in range(len(words) - len(parts) + 1):
             if list(words[at : at + len(parts)]) == parts:
                 return name, at, at + len(parts)
+    if listening.asked == "pose":
+        first = _told_first(words, book)
+        if first is not None:
+            return body_like(first[0], listening), first[1], first[2]
     bodies = {word for phrase in book.answer_words["pose_bodies"] for word in phrase}
     for at, word in enumerate(words):
         if word in bodies:
             start = _noun_start(words, at, book)
             name = " ".join(_bare(words[start : at + 1], book))
-            similar = next((one for one in listening.objects if word in one.lower().split()), name)
-            return similar, start, at + 1
-    return _told_first(words, book) if listening.asked == "pose" else None
+            return body_like(name, listening), start, at + 1
+    return None
+
+
+def body_like(name: str, listening: Listening) -> str:
+    """Return the known object whose name ends alike, or the name as told."""
+    noun = name.rpartition(" ")[2]
+    return next((one for one in listening.objects if noun in one.lower().split()), name)
 
 
 def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] | None:
@@ -135,10 +142,19 @@ def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] 
         )
         named = " ".join(words[start:end])
         return (named, 0, end) if 0 < end - start <= 3 else None
-    end = next((at for at, word in enumerate(words) if word in places), 0)
-    name = " ".join(_bare(words[:end], book))
-    fit = 0 < end <= 4 and not set(words[:end]) & {"it", "this", "that", "i", "you", "we"}
-    return (name, 0, end) if fit and not any(char.isdigit() for char in name) else None
+    numbers = book.numbers
+    found = (at for at, word in enumerate(words) if word in places or numbers.number(words, at))
+    end = next(found, 0)
+    name = _bare(words[:end], book)
+    while len(name) > 1 and name[-1] in _BEHIND_NAME:
+        name = name[:-1]
+    fit = 0 < len(name) <= _LONGEST_NAME and not set(name) & _NO_NAMES
+    return (" ".join(name), 0, end) if fit and not any(c.isdigit() for c in "".join(name)) else None
+
+
+_LONGEST_NAME = 4
+_BEHIND_NAME = frozenset(("now", "it", "also", "still", "currently", "in", "has", "been", "moved"))
+_NO_NAMES = frozenset(("it", "this", "that", "i", "you", "we", "no", "yes", "sorry", "x", "its"))
 
 
 def _bare(words: Sequence[str], book: Phrasebook) -> Sequence[str]:
@@ -155,14 +171,17 @@ def _noun_start(words: Sequence[str], at: int, book: Phrasebook) -> int:
 
 
 def _numbers(words: Sequence[str], broken: Sequence[bool], book: Phrasebook) -> list[_Number]:
+    """Return the numbers told, none of them across a mark."""
     turning = {word for phrase in book.answer_words["pose_turning"] for word in phrase}
+    cuts = [at for at in range(1, len(words)) if broken[at]]
     found: list[_Number] = []
     at = 0
     axis = ""
     turned = False
     while at < len(words):
         word = words[at]
-        quantity = None if word in ("a", "an") else book.numbers.quantity(words, at)
+        end = next((cut for cut in cuts if cut > at), len(words))
+        quantity = None if word in ("a", "an") else _quantity(words[:end], at, book, len(cuts))
         if quantity is None:
             axis = word if word in _AXES or word in _ANGLES else ("" if word == "and" else axis)
             turned = (turned or word in turning or word in _ANGLES) and word not in _AXES
@@ -173,6 +192,24 @@ def _numbers(words: Sequence[str], broken: Sequence[bool], book: Phrasebook) -> 
         axis = ""
         at = quantity.end
     return found
+
+
+def _quantity(words: Sequence[str], at: int, book: Phrasebook, marks: int) -> Quantity | None:
+    """Return the number at a place, read digit by digit where marks part the numbers."""
+    numbers = book.numbers
+    end = at
+    while end < len(words) and (
+        numbers.number(words[: end + 1], end) or words[end] in numbers.minus
+    ):
+        end += 1
+    told = numbers.listed(words[at:end]) if marks >= _TWO_MARKS else None
+    plain = numbers.quantity(words, at)
+    if told is not None and plain is not None and plain.end < end:
+        return Quantity(told, "", end)
+    return plain
+
+
+_TWO_MARKS = 2
 
 
 def _position(lengths: Sequence[_Number]) -> tuple[float, float, float] | None:
@@ -218,7 +255,7 @@ def _turned(angles: Sequence[_Number], words: Sequence[str]) -> tuple[float, flo
     return 0.0, 0.0, sign * yaw
 
 
-def _by(words: Sequence[str], book: Phrasebook) -> tuple[float, float, float] | None:
+def displacement(words: Sequence[str], book: Phrasebook) -> tuple[float, float, float] | None:
     """Return a displacement: "ten centimetres further left and five forward"."""
     total = [0.0, 0.0, 0.0]
     held: float | None = None

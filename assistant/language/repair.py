@@ -7,7 +7,7 @@ only by the one vocabulary word near it.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import lru_cache
 
 from rapidfuzz import process
@@ -55,8 +55,17 @@ def _nearest(text: str, known: frozenset[str]) -> str:
     once = _unstretched(text)
     if once in known:
         return once
-    if len(text) < _SHORTEST or text in _TYPOS:
-        return _TYPOS.get(text, text)
+    if text in _TYPOS:
+        return _TYPOS[text]
+    if not _VOWELS & set(text) and len(text) >= _SHORTEST - 1:
+        whole = _skeletons(known).get(text, ())
+        if len(whole) == 1:
+            return whole[0]
+    return text if len(text) < _SHORTEST else _corrected(text, known)
+
+
+def _corrected(text: str, known: frozenset[str]) -> str:
+    """Return the one word of the vocabulary that a slip makes a text of; itself if none is."""
     far = 1 if len(text) < 7 else 2
     near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=6)
     letters = sorted(text)
@@ -72,11 +81,30 @@ def _nearest(text: str, known: frozenset[str]) -> str:
     return ranked[0][1]
 
 
+_VOWELS = frozenset("aeiou")
+
+
+@lru_cache(maxsize=32)
+def _skeletons(known: frozenset[str]) -> Mapping[str, tuple[str, ...]]:
+    """Return short words by their consonants, as hurried people write them: "hld", "skp"."""
+    found: dict[str, list[str]] = {}
+    for word in known:
+        if _SHORTEST <= len(word) <= _SHORTEST + 2:
+            bare = word[0] + "".join(char for char in word[1:] if char not in _VOWELS)
+            found.setdefault(bare, []).append(word)
+    return {bare: tuple(sorted(words)) for bare, words in found.items()}
+
+
 def _strangeness(text: str, word: str, distance: float, letters: list[str]) -> float:
-    """Return how unlikely a slip is: swapped letters and a kept first letter are likely."""
-    swapped = 0.0 if sorted(word) == letters else 0.5
+    """Return how unlikely a slip is: swapped and doubled letters and a kept first are likely."""
+    swapped = 0.0 if sorted(word) == letters or _single(word) == _single(text) else 0.5
     first = 0.0 if word[0] == text[0] else 0.6
     return swapped + distance + first + (0.0 if word[-1] == text[-1] else 0.2)
+
+
+def _single(text: str) -> str:
+    """Return a word with doubled letters once."""
+    return "".join(char for at, char in enumerate(text) if at == 0 or text[at - 1] != char)
 
 
 _TYPOS = {
@@ -103,8 +131,7 @@ def _unstretched(text: str) -> str:
     for char in text:
         if not kept.endswith(char * 2) or kept == "":
             kept += char
-    single = "".join(char for at, char in enumerate(text) if at == 0 or text[at - 1] != char)
-    return single if kept != text else text
+    return _single(text) if kept != text else text
 
 
 def rejoined(words: Words, book: Phrasebook) -> Words:
@@ -146,7 +173,7 @@ def _sound(word: str) -> str:
     """Return the consonants of a word as they sound, doubled ones once."""
     plain = word.replace("ph", "f").replace("gh", "").replace("ck", "k").translate(_SOUNDS)
     bare = _SILENT.sub("", plain)
-    return "".join(char for at, char in enumerate(bare) if at == 0 or bare[at - 1] != char)
+    return _single(bare)
 
 
 def homophones(words: Words, book: Phrasebook) -> Words:
