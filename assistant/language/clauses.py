@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assistant.language.amounts import read_amount
 from assistant.language.frames import frames
 from assistant.language.framing import framed
 from assistant.language.key_states import key_state
@@ -161,6 +162,9 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
     moved = None if leading else correction(texts, hearing)
     if moved is not None:
         yield moved
+    amount = read_amount(texts, hearing.book) if moved is None and pose is None else None
+    if amount is not None:
+        yield Parse((amount.act,), explained(amount.unexplained), "motion")
     state = key_state(words, hearing)
     if state is not None:
         yield state

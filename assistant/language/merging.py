@@ -41,8 +41,8 @@ def _same_change(one: TeacherAct, other: TeacherAct) -> bool:
     if isinstance(one, AdjustLast) and ("factor" in told) != ("factor" in again):
         return False
     if isinstance(one, AdjustSpeed) and ("factor" in told) != ("factor" in again):
-        factor = {**told, **again}["factor"]
-        return ({**told, **again}["change"] == "faster") == (factor > 1)
+        factor = float({**told, **again}["factor"])
+        return ({**told, **again}["change"] == "faster") is (factor > 1)
     both = ("distance_m", "angle_deg", "factor", "where")
     return not any(key in told and key in again and told[key] != again[key] for key in both)
 

@@ -79,6 +79,7 @@ class Phrasebook:
     motion_begun: Mapping[str, tuple[Phrase, ...]]
     where: Mapping[str, tuple[Phrase, ...]]
     whens: Mapping[str, tuple[tuple[Phrase, When], ...]]
+    amounts: Mapping[str, tuple[tuple[Phrase, str], ...]]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
@@ -157,6 +158,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         motion_begun=by_first_word(motion),
         where={name: longest_first(told) for name, told in _where(book).items()},
         whens=_whens(book["where"]),
+        amounts=_amounts(book.get("amounts", {})),
         chat=frozenset(phrase[0] for phrase in phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
@@ -254,6 +256,13 @@ def _whens(where: Mapping[str, str]) -> Mapping[str, tuple[tuple[Phrase, When], 
         for phrase in longest_first(where[when]):
             found.setdefault(phrase[0], []).append((phrase, when))
     return {first: tuple(ones) for first, ones in found.items()}
+
+
+def _amounts(told: Mapping[str, str]) -> Mapping[str, tuple[tuple[Phrase, str], ...]]:
+    """Return phrases about the last correction with their class, by their first word."""
+    kinds = {phrase: kind for kind, listed in told.items() for phrase in phrases(listed)}
+    begun = by_first_word(kinds)
+    return {first: tuple((one, kinds[one]) for one in ones) for first, ones in begun.items()}
 
 
 def _where(book: Mapping[str, Any]) -> dict[str, str]:
