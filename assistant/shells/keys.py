@@ -205,6 +205,7 @@ class Driving:
             self._finish_or_go_on()
 
         @keys.add("c-c", eager=True)
+        @keys.add("<sigint>")
         def stop(event: KeyPressEvent) -> None:
             self._hand.release()
             self._told = str(self._words["halted"])

@@ -7,13 +7,15 @@ from __future__ import annotations
 
 import asyncio
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
-from prompt_toolkit.patch_stdout import patch_stdout
+from prompt_toolkit.patch_stdout import StdoutProxy
 
 from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
@@ -26,6 +28,7 @@ from assistant.shells.bar import bar
 from assistant.shells.beating import BEAT_S
 from assistant.shells.beside import Beside, Words
 from assistant.shells.completing import Sayable
+from assistant.shells.interrupting import interrupts
 from assistant.shells.keys import Driving
 from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
@@ -36,6 +39,8 @@ STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm
 NAME, INDENT = "robot: ", "  "
 NAME_STYLE, HINT_STYLE = "36", "90"
 REFRESH_S = 0.5
+BUNDLED_S = 0.02
+"""What is said within so long is drawn at once."""
 
 
 class TextShell:
@@ -56,6 +61,7 @@ class TextShell:
         self._ticker: Ticker | None = None
         self._error: BaseException | None = None
         self._left_known_s: float | None = None
+        self._interrupted = False
         self._showing = Showing(self._write, keys=True)
         self._heart = Heartbeat(RealClock())
 
@@ -93,7 +99,7 @@ class TextShell:
         if beside is not None:
             beside.begin(session, lambda words: self._heard(session, prompt, words))
         try:
-            with patch_stdout(raw=True):
+            with _above_the_prompt(), interrupts(self._interrupt):
                 while not session.left and self._error is None:
                     self._turn(session, prompt)
         except EOFError:
@@ -105,7 +111,7 @@ class TextShell:
             raise self._error
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
-        text = prompt.prompt("you: ", pre_run=lambda: self._begin(prompt)).strip()
+        text = prompt.prompt("you: ", pre_run=lambda: self._begin(session, prompt)).strip()
         if session.left:
             return
         session.raw(text)
@@ -121,7 +127,26 @@ class TextShell:
             self._showing.offer(session)
             self._heart.beat()
 
-    def _begin(self, prompt: PromptSession[str]) -> None:
+    def _interrupt(self) -> None:
+        """Stop what moves or is about to; the rest is done when what is under way is over."""
+        self._interrupted = True
+        if self._session is not None:
+            self._session.equipment.stop_flag.set()
+
+    def _halt(self, session: Session) -> None:
+        self._interrupted = False
+        assert self._ticker is not None
+        with self._ticker.lock:
+            if session.moving:
+                session.halt(halting.KEY)
+                return
+            # What was to be stopped is over; whatever is begun next is begun on purpose.
+            session.equipment.stop_flag.clear()
+        self._write(page("terminal", session.language)["at_rest"])
+
+    def _begin(self, session: Session, prompt: PromptSession[str]) -> None:
+        if self._interrupted:
+            self._halt(session)
         prompt.app.create_background_task(self._beat())
 
     async def _beat(self) -> None:
@@ -146,16 +171,13 @@ class TextShell:
         keys = KeyBindings()
 
         @keys.add("c-c", eager=True)
+        @keys.add("<sigint>")
         def stop(event: KeyPressEvent) -> None:
-            if session.moving:
-                session.equipment.stop_flag.set()
-                assert self._ticker is not None
-                with self._ticker.lock:
-                    session.halt(halting.KEY)
-            elif event.current_buffer.text:
+            if not session.moving and event.current_buffer.text:
                 event.current_buffer.reset()
-            else:
-                self._write(page("terminal", session.language)["at_rest"])
+                return
+            self._interrupt()
+            self._halt(session)
 
         return keys
 
@@ -206,6 +228,13 @@ class TextShell:
 
     def _fail(self, error: BaseException) -> None:
         self._error = error
+
+
+@contextmanager
+def _above_the_prompt() -> Iterator[None]:
+    """Let what is written appear above the line being typed."""
+    with StdoutProxy(BUNDLED_S, raw=True) as proxy, redirect_stdout(proxy), redirect_stderr(proxy):
+        yield
 
 
 def write(text: str) -> None:

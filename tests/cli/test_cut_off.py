@@ -2,22 +2,44 @@
 
 from __future__ import annotations
 
+import io
 import json
+from collections.abc import Callable, Iterable
 from pathlib import Path
 
 import pytest
 
+from assistant.cli import main
 from assistant.files.demonstrations import read_demonstration
-from tests.cli.test_teach import run
-from tests.cli.test_terminal import TALK, Teacher
+from tests.cli.at_a_terminal import TALK, Teacher, introduced
 
 INTRODUCTION = [text for text, _ in TALK[:-1]]
 
 
-def resumed(home: Path, *lines: str) -> list[dict[str, str]]:
-    ended = run(home, "--resume", "--json", lines="".join(f"{line}\n" for line in lines))
-    assert ended.returncode == 0, ended.stderr
-    return [json.loads(line) for line in ended.stdout.splitlines()]
+Taught = Callable[..., str]
+"""Holds a session with lines of input that end, and returns what was told."""
+
+
+@pytest.fixture
+def teach(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> Taught:
+    monkeypatch.setenv("ASSISTANT_HOME", str(tmp_path))
+
+    def taught(*more: str, lines: Iterable[str]) -> str:
+        text = "".join(f"{line}\n" for line in lines)
+        monkeypatch.setattr("sys.stdin", io.StringIO(text))
+        assert main(["teach", "--arm", "kinematic", *more]) == 0
+        told = capsys.readouterr()
+        assert "Traceback" not in told.err
+        return told.out
+
+    return taught
+
+
+def resumed(teach: Taught, *lines: str) -> list[dict[str, str]]:
+    told = teach("--resume", "--json", lines=lines)
+    return [json.loads(line) for line in told.splitlines()]
 
 
 def samples(home: Path) -> int:
@@ -30,40 +52,34 @@ def samples(home: Path) -> int:
     [(("--json",), json.dumps({"demonstrate": {"hand": "scripted"}})), ((), "scripted hand")],
 )
 def test_input_that_ends_with_the_demonstration(
-    tmp_path: Path, more: tuple[str, ...], shown: str
+    tmp_path: Path, teach: Taught, more: tuple[str, ...], shown: str
 ) -> None:
     # The last line is the demonstration, and nobody is there when it is over.
-    talk = "".join(f"{line}\n" for line in (*INTRODUCTION, shown))
-    ended = run(tmp_path, *more, lines=talk)
-    assert ended.returncode == 0
-    assert "Traceback" not in ended.stderr
-    told = resumed(tmp_path, "yes")
+    teach(*more, lines=(*INTRODUCTION, shown))
+    told = resumed(teach, "yes")
     assert told[0]["topic"] == "resumed"
     assert told[1]["stage"] == "learning"
     kept = read_demonstration(tmp_path / "sessions" / "1" / "demonstration_1.yaml")
     assert len(kept.recording.t_s) == samples(tmp_path)
 
 
-def test_input_that_ends_while_the_robot_watches(tmp_path: Path) -> None:
-    ended = run(tmp_path, "--json", lines="".join(f"{line}\n" for line in INTRODUCTION))
-    assert ended.returncode == 0
-    told = resumed(tmp_path, json.dumps({"demonstrate": {"hand": "scripted"}}))
+def test_input_that_ends_while_the_robot_watches(teach: Taught) -> None:
+    teach("--json", lines=INTRODUCTION)
+    told = resumed(teach, json.dumps({"demonstrate": {"hand": "scripted"}}))
     assert told[0]["topic"] == "resumed_recording"
     assert any(line.get("stage") == "learning" for line in told)
 
 
-def test_a_window_that_closes_while_the_hand_is_driven(tmp_path: Path) -> None:
-    teacher = Teacher(tmp_path)
-    teacher.terminal.expect("What is the task called")
-    for text, then in TALK:
-        teacher.say(text, then)
-    for _ in range(20):
-        teacher.press("w")
-    assert samples(tmp_path) > 5
+def test_a_window_that_closes_while_the_hand_is_driven(tmp_path: Path, teach: Taught) -> None:
+    introduced(tmp_path)
+    teacher = Teacher(tmp_path, "--resume")
+    teacher.take_the_hand()
+    teacher.press("w")
+    teacher.until(lambda: samples(tmp_path) > 5)
     teacher.terminal.close(force=False)
     teacher.terminal.wait()
     shown = samples(tmp_path)
-    told = resumed(tmp_path, "finished")
+    told = resumed(teach, "finished")
     assert told[0]["topic"] == "resumed_recording"
     kept = read_demonstration(tmp_path / "sessions" / "1" / "demonstration_1.yaml")
     assert len(kept.recording.t_s) == shown

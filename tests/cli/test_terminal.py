@@ -2,10 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
-import os
-import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -15,133 +11,23 @@ import pytest
 from assistant.geometry import Array
 from assistant.model.transcript import SetupChoice
 from assistant.session.opening import chosen
-
-KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
-"""Keys for more and for less of x, y and z."""
-RESTS_S = 0.2
-FLAGS = ("--arm", "kinematic", "--pace", "8")
-
-
-class Teacher:
-    """Someone at a keyboard who looks where the hand is."""
-
-    def __init__(self, home: Path, *more: str) -> None:
-        self.home = home
-        environment = {**os.environ, "ASSISTANT_HOME": str(home), "TERM": "xterm"}
-        self.terminal = pexpect.spawn(
-            sys.executable,
-            ["-m", "assistant", "teach", *FLAGS, *more],
-            env=environment,
-            encoding="utf-8",
-            timeout=150,
-            dimensions=(40, 120),
-        )
-
-    def say(self, text: str, then: str) -> None:
-        self.terminal.send(f"{text}\r")
-        self.terminal.expect(then)
-
-    def tell_where_the_cursor_is(self) -> None:
-        """Answer as a terminal does; the bar is drawn once that is known."""
-        self.terminal.expect_exact("\x1b[6n")
-        self.terminal.send("\x1b[12;1R")
-
-    def hand(self) -> tuple[Array, float]:
-        """Return pose and opening as recorded last."""
-        row = self.sample()
-        return row[1:8], float(row[8])
-
-    def sample(self) -> Array:
-        """Return the last whole row of the recording."""
-        path = self.home / "sessions" / "1" / "recording_1.csv"
-        while True:
-            lines = path.read_bytes()[-1000:].split(b"\n") if path.exists() else []
-            if len(lines) > 2:
-                return np.array([float(text) for text in lines[-2].split(b",")])
-            time.sleep(0.05)
-
-    def press(self, key: str) -> None:
-        self.terminal.send(key)
-        # A terminal repeats a held key about this often; drain what it draws meanwhile.
-        time.sleep(0.03)
-        with contextlib.suppress(pexpect.TIMEOUT):
-            self.terminal.read_nonblocking(100_000, timeout=0)
-
-    def rest(self) -> Array:
-        """Return the hand's pose once it rests by its own clock, however slow the machine is."""
-        since = self.sample()
-        while True:
-            self.press("")
-            now = self.sample()
-            if not np.array_equal(now[1:8], since[1:8]):
-                since = now
-            elif now[0] - since[0] > RESTS_S:
-                return np.array(now[1:8])
-
-    def drive(self, goal: Array, axis: str, within: float = 0.001) -> None:
-        """Hold a key until the hand is near where it should be, then tap it."""
-        k = "xyz".index(axis)
-        for _ in range(2000):
-            gap = float(goal[k] - self.hand()[0][k])
-            if abs(gap) < 0.03:
-                break
-            self.press(KEYS[k][0 if gap > 0 else 1])
-        for _ in range(40):
-            gap = float(goal[k] - self.rest()[k])
-            if abs(gap) < within:
-                return
-            self.tap(KEYS[k][0 if gap > 0 else 1])
-        raise AssertionError("the hand does not get there")
-
-    def tap(self, key: str) -> None:
-        """Press a key once and wait until the hand moves."""
-        before = self.hand()[0]
-        self.press(key)
-        for _ in range(600):
-            if not np.array_equal(self.hand()[0], before):
-                return
-            time.sleep(0.02)
-        raise AssertionError("the hand does not move")
-
-    def act(self, key: str, opening: float) -> None:
-        self.press(key)
-        for _ in range(1000):
-            if abs(self.hand()[1] - opening) < 0.003:
-                return
-            time.sleep(0.05)
-        raise AssertionError("the hand does not act")
-
+from tests.cli.at_a_terminal import FASTER, Teacher, introduced
 
 SETUP = """\
 format: setup/1
 name: near
 scene: demonstration_table
-robot_start: {hand_xyz_mm: [480, 120, 397], hand_rpy_deg: [0, 0, 0]}
+robot_start: {hand_xyz_mm: [480, 80, 397], hand_rpy_deg: [0, 0, 0]}
 places:
-  block: {hand_xyz_mm: [560, 120, 396.7], hand_rpy_deg: [0, 0, 0]}
+  block: {hand_xyz_mm: [560, 80, 396.7], hand_rpy_deg: [0, 0, 0]}
   target: {hand_xyz_mm: [560, -60, 403], hand_rpy_deg: [0, 0, 0]}
 """
-TALK = (
-    ("pick and place", "should be the case"),
-    ("the block rests on the target", "Which things"),
-    ("the block and the target", "how many steps"),
-    ("five", "first of the 5"),
-    ("approach the block", "second of"),
-    ("grasp the block", "third of"),
-    ("move up", "fourth of"),
-    ("move down to the target", "fifth of"),
-    ("place the block on the target", "parts"),
-    ("none", "Is that right"),
-    ("yes", "Are you ready"),
-    ("yes", "FILE"),
-    ("keys", "clutch"),
-)
 
 
 def show(teacher: Teacher, block: Array, target: Array) -> None:
     """Pick the block up and place it, saying the cues by keys."""
     above = np.array([0.0, 0.0, 0.06, 0.0, 0.0, 0.0, 0.0])
-    for key in "++1":
+    for key in (*FASTER, "1"):
         teacher.press(key)
     teacher.drive(block, "x")
     teacher.press("n")
@@ -164,9 +50,7 @@ def test_a_lesson_shown_by_keys(tmp_path: Path) -> None:
     setup_file.write_text(SETUP)
     scene, setup = chosen(SetupChoice(file=str(setup_file)), tmp_path)
     teacher = Teacher(tmp_path, "--setup", str(setup_file))
-    teacher.terminal.expect("What is the task called")
-    for text, then in TALK:
-        teacher.say(text, then)
+    teacher.introduce()
     show(teacher, *(scene.hand_pose(name, setup.places[name]) for name in ("block", "target")))
     teacher.terminal.expect("I saw 5 parts")
     # Which questions follow depends on how well the keys were driven.
@@ -188,18 +72,18 @@ def test_a_lesson_shown_by_keys(tmp_path: Path) -> None:
 def test_the_line_completes_remembers_and_has_a_bar_below(tmp_path: Path) -> None:
     teacher = Teacher(tmp_path)
     terminal = teacher.terminal
-    teacher.tell_where_the_cursor_is()
     terminal.expect("introduction.*no task yet.*arm at rest")
     teacher.say("pick and place", "should be the case")
-    teacher.tell_where_the_cursor_is()
     terminal.expect("introduction.*pick and place.*arm at rest")
     terminal.send("what d\t")
     terminal.expect("id you say")
     terminal.send("\r")
     terminal.expect("should be the case")
-    terminal.send("pick\x1b[A")
-    terminal.expect("and place")
-    terminal.send("\x03")
+    teacher.say("what\x1b[A", "should be the case")
+    journal = tmp_path / "sessions" / "1" / "journal.yaml"
+    assert journal.read_text("utf-8").count("teacher: what did you say") == 2
+    teacher.prompted()
+    terminal.send("pick\x03")
     terminal.sendeof()
     terminal.expect("resume 1")
     terminal.expect(pexpect.EOF)
@@ -213,36 +97,27 @@ def sgr(button: int, column: int, line: int, end: str) -> str:
 
 
 def test_the_mouse_drags_the_hand_while_its_button_is_held(tmp_path: Path) -> None:
-    teacher = Teacher(tmp_path)
+    introduced(tmp_path)
+    teacher = Teacher(tmp_path, "--resume")
     terminal = teacher.terminal
-    terminal.expect("What is the task called")
-    for text, then in TALK:
-        teacher.say(text, then)
+    teacher.take_the_hand()
     begin = teacher.rest()
-    for _ in range(40):
-        # Only what answers where its cursor is can be told where the mouse is; an answer that
-        # comes before the pictures are drawn is not for them, so all of it is told again.
-        terminal.send("\x1b[8;1R")
-        # The pictures lie side by side below the keys; this is within the left one, from above.
-        terminal.send(sgr(0, 20, 20, "M"))
-        for line in (19, 18, 17):
-            terminal.send(sgr(32, 20, line, "M"))
-        for _ in range(20):
-            teacher.press("")
-        if teacher.hand()[0][0] > begin[0] + 0.01:
-            break
+    # Where the pictures are is known once the terminal's answer has come, and so with what follows.
+    teacher.press("+")
+    terminal.expect("faster.*faster")
+    # The pictures lie side by side below the keys; this is within the left one, from above.
+    terminal.send(sgr(0, 20, 20, "M"))
+    for line in (19, 18, 17):
+        terminal.send(sgr(32, 20, line, "M"))
+    teacher.until(lambda: teacher.hand[0] > begin[0] + 0.01)
     terminal.send(sgr(0, 20, 17, "m"))
     there = teacher.rest()
     assert there[0] > begin[0] + 0.01
     assert there[1:3] == pytest.approx(begin[1:3], abs=1e-4)
-    # Without the button the pointer moves nothing.
+    # Without the button the pointer moves nothing; what the wheel does comes after it.
     for line in (16, 17, 18):
         terminal.send(sgr(35, 20, line, "M"))
-    assert np.array_equal(teacher.rest(), there)
     terminal.send(sgr(64, 20, 18, "M"))
-    for _ in range(200):
-        teacher.press("")
-        if teacher.hand()[0][2] > there[2] + 0.001:
-            break
-    assert teacher.rest()[2] == pytest.approx(there[2] + 0.005, abs=1e-4)
+    teacher.until(lambda: teacher.hand[2] > there[2] + 0.001)
+    assert teacher.rest()[:3] - there[:3] == pytest.approx([0.0, 0.0, 0.00625], abs=1e-4)
     terminal.close(force=True)
