@@ -27,7 +27,7 @@ from sim.world import CONTROL_S, EASED, Allowed, Fault
 
 OTHER, LINK, FORCE = 2, 3, 9
 """Fields of a contact point: the other body, the own link, the normal force."""
-RENEW_RAD, RENEW_STILL_RAD = np.deg2rad(5.0), np.deg2rad(0.5)
+RENEW_RAD, RENEW_STILL_RAD = np.deg2rad(3.0), np.deg2rad(0.5)
 """Contacts of a hand that has turned by more are found anew; each time a body may slip a little.
 A hand that does not turn any more has them found anew earlier: what strains the pads is gone
 before a body is looked at and let go."""
@@ -82,6 +82,7 @@ class BulletWorld:
         self._fixed = {n: p for n, p in bodies.items() if n not in known}
         self._easing = "nothing"
         self._eased = False
+        self._parts = 0
         self._found_at = self._hand = forward(q)
         self._late = 0
         self._anchor("")
@@ -130,6 +131,7 @@ class BulletWorld:
     def step(self, q: Array, hand: Array, opening_m: float, allowed: Allowed) -> Fault | None:
         """Advance by one control tick, a whole number of physics steps."""
         force = self.settings.grip_n * allowed.grip
+        self._refine(bool(allowed.grasped))
         self._anchor(allowed.grasped if allowed.grip < 1.0 else "")
         self._let_go(allowed.grip <= EASED)
         self._renew(hand)
@@ -172,6 +174,13 @@ class BulletWorld:
                 forces=[force, force],
             )
             client.stepSimulation()
+
+    def _refine(self, touching: bool) -> None:
+        """Let steps be done in parts while the hand has to do with a body."""
+        parts = self.settings.parts if touching else 1
+        if parts != self._parts:
+            self._parts = parts
+            self._client.setPhysicsEngineParameter(numSubSteps=parts)
 
     def _anchor(self, easing: str) -> None:
         """Let friction hold places, but between the pads and a body that is being let go.

@@ -84,5 +84,5 @@ def test_a_body_keeps_its_place_in_a_hand_that_turns_far() -> None:
         if look.held:
             seen.append(compose(inverse(look.hand), look.bodies["block"]))
     in_hand = np.array(seen)
-    assert np.max(distance_between(in_hand[1:], in_hand[:-1])) < 2e-4
-    assert np.max(angle_between(in_hand[1:], in_hand[:-1])) < np.deg2rad(0.3)
+    assert np.max(distance_between(in_hand[1:], in_hand[:-1])) < 5e-5
+    assert np.max(angle_between(in_hand[1:], in_hand[:-1])) < np.deg2rad(0.05)

@@ -16,7 +16,7 @@ from tests.sim.placing import lesson
 
 @pytest.mark.parametrize(
     ("each_deg", "turning", "still", "renewed"),
-    [(0.0, 0, 20, 0), (0.3, 10, 0, 0), (0.3, 10, 10, 1), (0.3, 30, 10, 2), (0.03, 10, 10, 0)],
+    [(0.0, 0, 20, 0), (0.25, 10, 0, 0), (0.25, 10, 10, 1), (0.25, 30, 10, 3), (0.03, 10, 10, 0)],
 )
 def test_contacts_are_found_anew_on_a_hand_that_turned_far_or_has_come_to_rest(
     monkeypatch: pytest.MonkeyPatch, each_deg: float, turning: int, still: int, renewed: int
@@ -37,6 +37,19 @@ def test_contacts_are_found_anew_on_a_hand_that_turned_far_or_has_come_to_rest(
         world.step(q, _turned(forward(q), turning * each_deg), 0.08, Allowed())
     world.close()
     assert len(pads) == 2 * renewed
+
+
+def test_steps_are_done_in_parts_only_while_the_hand_has_to_do_with_a_body() -> None:
+    world = BulletWorld()
+    _, scene, _ = lesson()
+    q = np.array([0.0, 0.0, np.pi / 2, 0.0, 0.0, 0.0])
+    world.arrange(scene, {}, q)
+    parts = []
+    for grasped in ("", "block", ""):
+        world.step(q, forward(q), 0.08, Allowed(grasped))
+        parts.append(world._client.getPhysicsEngineParameters()["numSubSteps"])
+    world.close()
+    assert parts == [1, world.settings.parts, 1]
 
 
 def _turned(hand: Array, degrees: float) -> Array:
