@@ -10,13 +10,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from assistant.language.motion import tags_of
 from assistant.language.numbers import Quantity
 from assistant.language.phrasebook import Phrasebook
+from assistant.language.tags import tags_of
 from assistant.model.teacher_acts import AdjustLast, Degree
 
 _PLAIN = frozenset(("skip", "empty", "little", "much", "more", "less"))
 LONGEST = 18
+MOST_UNEXPLAINED = 1
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,7 +41,7 @@ def read_amount(words: Sequence[str], book: Phrasebook) -> AmountReading | None:
     if not book.amounts or len(words) > LONGEST:
         return None
     found = _found(words, book)
-    if found is None:
+    if found is None or found.unexplained > MOST_UNEXPLAINED:
         return None
     if "opposite" in found.kinds:
         return AmountReading(AdjustLast(change="opposite"), found.unexplained)
@@ -49,7 +50,7 @@ def read_amount(words: Sequence[str], book: Phrasebook) -> AmountReading | None:
     change = _change(found.kinds)
     if change is None or found.quantities:
         return None
-    degree = found.degrees[0] if found.degrees else None
+    degree = found.degrees[-1] if found.degrees else None
     return AmountReading(AdjustLast(change=change, degree=degree), found.unexplained)
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from assistant.language.amounts import read_amount
 from assistant.language.frames import frames
 from assistant.language.framing import framed
+from assistant.language.kept import kept
 from assistant.language.key_states import key_state
 from assistant.language.located import (
     acted_correction,
@@ -77,7 +78,7 @@ def _clause(words: Words, hearing: Hearing) -> Parse | None:
     if best is not None and best.how == "sentence" and ACTING <= best.score < SURE - 0.01:
         best = _seconded(best, words, hearing)
     if best is None or best.score < ACTING:
-        others = (framed(words, hearing), _requested(words, hearing))
+        others = (kept(words, hearing), framed(words, hearing), _requested(words, hearing))
         best = max((best, *others), key=lambda parse: parse.score if parse else 0.0)
     if best is None or best.score < ACTING:
         told = _reasoned(words, hearing)

@@ -27,6 +27,7 @@ from assistant.model.teacher_acts import (
     Again,
     Approve,
     Deny,
+    NewSetup,
     Optional,
     RepeatLine,
     Resume,
@@ -119,7 +120,7 @@ def _mended(words: Words, hearing: Hearing) -> Parse | None:
         if parse is None or parse.score < LIKELY:
             other = compound(line, hearing)
             parse = other if other is not None and other.score >= LIKELY else parse
-        if parse is not None and (best is None or parse.score > best.score + 0.02):
+        if parse is not None and (best is None or parse.score > best.score + 0.06):
             best = parse
     if best is None or best.score < LEAST_MENDED or isinstance(best.acts[0], Unknown):
         return None
@@ -128,18 +129,7 @@ def _mended(words: Words, hearing: Hearing) -> Parse | None:
 
 def settled(parse: Parse, listening: Listening) -> Parse:
     """Drop a yes that only leads into the rest, and a no that answers nothing."""
-    acts: tuple[TeacherAct, ...] = parse.acts
-    if listening.asked in _YES_OR_NO:
-        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
-    if len(acts) > 1 and isinstance(acts[0], Affirm | Deny) and listening.asked in OPEN:
-        acts = acts[1:]
-    if len(acts) > 1 and isinstance(acts[0], Affirm | Deny):
-        same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
-        while len(acts) > 1 and isinstance(acts[0], Affirm) and isinstance(acts[1], Affirm):
-            acts = acts[1:]
-        wanted = len(acts) > 1 and same is not None and isinstance(acts[1], same)
-        if len(acts) > 1 and (listening.asked is None or wanted):
-            acts = acts[1:]
+    acts = _answered(parse.acts, listening)
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
     if any(isinstance(act, RepeatLine) for act in acts):
         acts = tuple(act for act in acts if not isinstance(act, Again))
@@ -147,12 +137,37 @@ def settled(parse: Parse, listening: Listening) -> Parse:
         acts = acts[:1] + tuple(act for act in acts[1:] if not isinstance(act, Start | Resume))
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
-    if any(isinstance(act, Resume) for act in acts):
-        acts = tuple(act for act in acts if not isinstance(act, Start | Undo))
+    for leading, implied in _IMPLIED:
+        if any(isinstance(act, leading) for act in acts):
+            acts = tuple(act for act in acts if not isinstance(act, implied))
+    if listening.asked == "ready":
+        acts = tuple(Start() if isinstance(act, Resume) else act for act in acts)
     unique = merged(tuple(dict.fromkeys(acts)))
     if unique == (Unordered(),) and listening.stage == "practice":
         return Parse(unique, DOUBTFUL, parse.how)
     return Parse(unique, parse.score, parse.how)
+
+
+# What another act says already: to go on is no start, and "now further, go on" no correction.
+_IMPLIED: tuple[tuple[type[TeacherAct], tuple[type[TeacherAct], ...]], ...] = (
+    (Resume, (Start, Undo, AdjustLast)),
+    (NewSetup, (Start, Again)),
+)
+
+
+def _answered(acts: tuple[TeacherAct, ...], listening: Listening) -> tuple[TeacherAct, ...]:
+    """Return acts without a yes or no that what was asked does not want."""
+    if listening.asked in _YES_OR_NO:
+        acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
+    if len(acts) < 2 or not isinstance(acts[0], Affirm | Deny):
+        return acts
+    if listening.asked in OPEN:
+        return acts[1:]
+    same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
+    while len(acts) > 1 and isinstance(acts[0], Affirm) and isinstance(acts[1], Affirm):
+        acts = acts[1:]
+    wanted = len(acts) > 1 and same is not None and isinstance(acts[1], same)
+    return acts[1:] if len(acts) > 1 and (listening.asked is None or wanted) else acts
 
 
 def unknown(words: Words, hearing: Hearing) -> Parse:

@@ -7,8 +7,7 @@ from itertools import pairwise
 from assistant.language.clauses import clause
 from assistant.language.contrasts import GROUPS
 from assistant.language.located import correction
-from assistant.language.merging import CORRECTIONS
-from assistant.language.motion import tags_of
+from assistant.language.merging import CORRECTIONS, merged
 from assistant.language.parsing import (
     ACTING,
     LIKELY,
@@ -17,16 +16,24 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
+from assistant.language.tags import tags_of
 from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import (
     Affirm,
     Again,
     Deny,
+    NewSetup,
+    Pause,
+    Redo,
+    Resume,
+    Start,
     Stop,
     TeacherAct,
+    Undo,
     Unknown,
 )
 
+_AMONG_TALK = (*CORRECTIONS, Again, NewSetup, Pause, Redo, Resume, Start, Undo)
 _IDLE = (Unknown, Affirm, Deny)
 _PARTING = frozenset(("and", "but", "so", "because", "then", "und", "aber", "weil"))
 _JOINTS = frozenset(("and", "then", "but", "also", "plus", "und", "aber", "dann"))
@@ -35,10 +42,26 @@ _JOINTS = frozenset(("and", "then", "but", "also", "plus", "und", "aber", "dann"
 def compound(words: Words, hearing: Hearing) -> Parse | None:
     """Return the acts of clauses joined by commas or joining words; all must be understood."""
     stop = _stopped(words, hearing)
+    words = _gathered(words, hearing)
     joined = _joined(words, hearing, 4)
     if stop is not None and (joined is None or joined.score < LIKELY):
         return stop
     return joined or _partly(words, hearing)
+
+
+def _gathered(words: Words, hearing: Hearing) -> Words:
+    """Return the words without marks before a lone amount: "up, a little, and slower"."""
+    cuts = [at for at in range(1, len(words)) if words[at].broken]
+    found = list(words)
+    for start, end in pairwise((*cuts, len(words))):
+        part, before = words[start:end], words[:start]
+        kinds = {tag.kind for tag in tags_of(texts_of(part), hearing.book, hearing.names)}
+        kinds -= {"skip", "empty"}
+        amount = bool(kinds & GROUPS["amount"]) and kinds <= GROUPS["amount"]
+        told = [tag.kind for tag in tags_of(texts_of(before), hearing.book, hearing.names)]
+        if amount and set(told) & GROUPS["way"] and not set(told) & GROUPS["amount"]:
+            found[start] = Word(words[start].text, words[start].said)
+    return tuple(found)
 
 
 def united(words: Words, hearing: Hearing) -> Words:
@@ -69,8 +92,10 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
         if words[at].broken
         or (words[at].text in _PARTING and words[at - 1].text not in hearing.book.negating)
     ]
-    if not cuts or set(texts_of(words)) & hearing.book.chat:
+    if not cuts:
         return None
+    if set(texts_of(words)) & hearing.book.chat:
+        return _beside_chat(words, hearing)
     found: list[TeacherAct] = []
     missed = 0
     for start, end in pairwise((0, *cuts, len(words))):
@@ -85,6 +110,23 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
     if not acts or (missed > 3 and not _asked_for(words)):
         return None
     return Parse(acts, 0.75 if missed else 0.86, "partly")
+
+
+def _beside_chat(words: Words, hearing: Hearing) -> Parse | None:
+    """Return what the first or the last clause asks by itself, talk beside it."""
+    breaks = [at for at in range(1, len(words)) if words[at].broken]
+    ends = (words[: breaks[0]], words[breaks[-1] :]) if breaks else ()
+    found: list[TeacherAct] = []
+    for part in ends:
+        parse = None if set(texts_of(part)) & hearing.book.chat else clause(part, hearing)
+        if (
+            parse is not None
+            and parse.score >= SURE - 0.01
+            and isinstance(parse.acts[0], _AMONG_TALK)
+        ):
+            found.extend(parse.acts)
+    acts = merged(tuple(dict.fromkeys(found)))
+    return Parse(acts, 0.75, "partly") if len(acts) == 1 and acts != (Stop(),) else None
 
 
 def _asked_for(words: Words) -> bool:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from assistant.language.clauses import clause
 from assistant.language.mending import without_marks
 from assistant.language.merging import CORRECTIONS
-from assistant.language.motion import tags_of
 from assistant.language.parsing import DOUBTFUL, GUESSED, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase
+from assistant.language.tags import tags_of
 from assistant.language.words import Words
 from assistant.model.teacher_acts import Deny
 

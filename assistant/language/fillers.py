@@ -33,7 +33,37 @@ def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Word
         kept.append(replace(word, broken=word.broken or (broken and bool(kept))))
         broken = False
         at += 1
-    return _unaddressed(tuple(kept) or words, asked, book)
+    said = _unaddressed(tuple(kept) or words, asked, book)
+    return said if asked in OPEN else _once_each(_uncalled(said, book), book)
+
+
+def _uncalled(words: Words, book: Phrasebook) -> Words:
+    """Take out whom one speaks to between two marks: "that is it, son, just right"."""
+    kept = list(words)
+    for at in range(len(words) - 2, 0, -1):
+        called = words[at].broken and words[at + 1].broken
+        if called and (words[at].text,) in book.vocatives[1]:
+            del kept[at]
+    return tuple(kept)
+
+
+def _once_each(words: Words, book: Phrasebook) -> Words:
+    """Take out little words that a hesitant speaker says again: "when it, it is, it is done"."""
+    at = 0
+    while at < len(words):
+        for size in (3, 2, 1):
+            part, again = words[at : at + size], words[at + size : at + 2 * size]
+            little = all(word.text in book.stuttered for word in part)
+            if len(again) == size and little and _texts(part) == _texts(again):
+                words = (
+                    *words[:at],
+                    replace(again[0], broken=part[0].broken),
+                    *words[at + size + 1 :],
+                )
+                at = max(-1, at - size - 1)
+                break
+        at += 1
+    return words
 
 
 def _filler(words: Words, at: int, book: Phrasebook) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from assistant.language.motion import WAYS, read_motion, tags_of
+from assistant.language.motion import read_motion
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import (
     DOUBTFUL,
@@ -19,6 +19,7 @@ from assistant.language.parsing import (
 )
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.sentences import LONGEST_NAME, best_sentence
+from assistant.language.tags import WAYS, tags_of
 from assistant.language.words import Words, said
 from assistant.model.feedback import When
 from assistant.model.teacher_acts import (
@@ -105,15 +106,25 @@ def marks(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, Phrase, When]]
 def _marked(words: Words, at: int, phrase: Phrase, when: When, hearing: Hearing) -> Parse | None:
     """Read the place behind a mark and the correction around it."""
     start = at + len(phrase)
+    before = () if _only_begun(texts_of(words[:at]), hearing) else words[:at]
     best: Parse | None = None
     for end in _ends(words, at, start, hearing):
-        told = (*words[:at], *words[end:])
+        told = (*before, *words[end:])
         found = _joined(told, words[start:end], phrase, when, hearing)
         if found is not None and found.score >= LIKELY:
             return found
         if found is not None and (best is None or found.score > best.score):
             best = found
     return best
+
+
+def _only_begun(texts: Phrase, hearing: Hearing) -> bool:
+    """Tell a place that is begun and not told: "when you, during the approach, slower"."""
+    begun = hearing.book.whens.get(texts[0], ()) if texts else ()
+    return any(
+        texts[: len(phrase)] == phrase and set(texts[len(phrase) :]) <= hearing.book.stuttered
+        for phrase, _ in begun
+    )
 
 
 def _ends(words: Words, at: int, start: int, hearing: Hearing) -> Iterator[int]:
@@ -126,7 +137,10 @@ def _ends(words: Words, at: int, start: int, hearing: Hearing) -> Iterator[int]:
     if breaks:
         return
     parted = _parted(words, hearing)
+    last = len(words) - 1
     for end in sorted(range(start + 1, len(words)), key=lambda one: (one in parted, one)):
+        if end == last and end in parted:
+            continue
         loose = words[end].text in ("it", "the", "a", "an", "that", "and", "to")
         stated = words[end].text in ("it", "that") and texts_of(words)[end + 1 : end + 2] in _STATED
         if stated or not loose:
@@ -227,6 +241,8 @@ def _trust(texts: Phrase, phrase: Phrase, hearing: Hearing) -> float:
     """Return how sure it is that words no task knows name a step; 0 if they cannot."""
     book = hearing.book
     if texts in (("you",), ("i",), ("we",), ("the",)) or any(t in book.chat for t in texts):
+        return 0.0
+    if any(texts[: len(one)] == one for one, _ in book.whens.get(texts[0], ())):
         return 0.0
     if _is_amount(texts) or _moving(texts, hearing):
         return 0.0

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from assistant.language.motion import tags_of
 from assistant.language.parsing import Hearing, texts_of
 from assistant.language.phrasebook import Phrase
+from assistant.language.tags import tags_of
 from assistant.language.words import Word, Words
 
 LONGEST_TAKEN_BACK = 12

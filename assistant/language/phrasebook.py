@@ -80,6 +80,8 @@ class Phrasebook:
     where: Mapping[str, tuple[Phrase, ...]]
     whens: Mapping[str, tuple[tuple[Phrase, When], ...]]
     amounts: Mapping[str, tuple[tuple[Phrase, str], ...]]
+    keeping: Mapping[str, tuple[Phrase, ...]]
+    keeping_words: frozenset[str]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
@@ -91,6 +93,7 @@ class Phrasebook:
     again: tuple[Phrase, ...]
     real: frozenset[str]
     empty: frozenset[str]
+    stuttered: frozenset[str]
     polite: frozenset[str]
     addressed: frozenset[str]
     yes: frozenset[str]
@@ -98,6 +101,11 @@ class Phrasebook:
     negating: frozenset[str]
     impure: frozenset[str]
     wrapping: Mapping[str, tuple[Phrase, ...]]
+    wrapping_words: Mapping[str, frozenset[str]]
+
+    def leading_words(self, name: str) -> frozenset[str]:
+        """Return the single words of a kind of wrapping; a language may have none."""
+        return self.wrapping_words.get(name, frozenset())
 
 
 @cache
@@ -159,6 +167,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         where={name: longest_first(told) for name, told in _where(book).items()},
         whens=_whens(book["where"]),
         amounts=_amounts(book.get("amounts", {})),
+        keeping={name: longest_first(told) for name, told in book.get("keeping", {}).items()},
+        keeping_words=frozenset(phrase_words(phrases(",".join(book.get("keeping", {}).values())))),
         chat=frozenset(phrase[0] for phrase in phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
@@ -173,6 +183,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
         again=longest_first(book["again"]),
         empty=single(classes["empty"]) - _turning(book),
+        stuttered=frozenset(book.get("stuttered", "").split()),
         polite=single(classes["polite"]),
         addressed=single(classes["addressed"]),
         yes=single(classes["classes"]["yes"]),
@@ -180,6 +191,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         negating=single(classes["classes"]["no"]),
         impure=single(classes["impure"]),
         wrapping={name: longest_first(told) for name, told in classes["answers"].items()},
+        wrapping_words={name: single(told) for name, told in classes["answers"].items()},
         real=frozenset(book["real"].split())
         | {word for one in phrases(book["chat"]) for word in one},
         suggestions={

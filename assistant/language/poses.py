@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Literal
 
-from assistant.language.motion import tags_of
 from assistant.language.naming import without_article
 from assistant.language.numbers import Quantity
 from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.tags import tags_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import SetPose
 
@@ -57,6 +57,8 @@ def read_pose(
     body = _body(words, listening, book)
     if body is None and listening.asked != "pose":
         return None
+    if words.count("comma") > 1:
+        broken = [mark or word == "comma" for mark, word in zip(broken, words, strict=True)]
     numbers = _numbers(words, broken, book)
     lengths = [one for one in numbers if not one.angular]
     angles = [one for one in numbers if one.angular]

@@ -45,7 +45,7 @@ def _whole(word: Word, book: Phrasebook) -> Word:
     """Return "going" for "goin" and "goin'"."""
     stem = word.text.removesuffix("'")
     unknown = stem not in book.vocabulary and stem not in book.real
-    if len(stem) > _SHORTEST and stem.endswith("in") and unknown and f"{stem}g" in book.vocabulary:
+    if len(stem) >= _SHORTEST and stem.endswith("in") and unknown and f"{stem}g" in book.vocabulary:
         return Word(f"{stem}g", word.said, word.broken)
     return word
 
@@ -144,7 +144,9 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
         meant = ""
         if len(pair) == 2 and whole.isalpha() and not pair[1].broken and len(whole) > _SHORTEST:
             article = pair[0].text in ("a", "an", "the") and whole not in book.vocabulary
-            meant = "" if article else _sounding(whole, book.vocabulary)
+            told = all(word.text in book.vocabulary for word in pair)
+            plain = told and whole not in book.vocabulary and pair[0].text in book.empty
+            meant = "" if article or plain else _sounding(whole, book.vocabulary)
         if meant:
             found.append(Word(meant, " ".join(w.said for w in pair if w.said), words[at].broken))
             at += 2

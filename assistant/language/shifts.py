@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from assistant.language.motion import WAYS, tags_of
 from assistant.language.naming import without_article
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.poses import PoseReading, body_like, displacement
+from assistant.language.tags import WAYS, tags_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import SetPose
 
