@@ -37,13 +37,15 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     if asked == "subtask_count":
         return _count(bare or words, book)
     bare = trimmed(said_of(bare, asked, book), book)
+    whole = bare
     if asked in NAMES:
         bare = trimmed(told_side(bare, asked, book), book)
     listed = steps(headed(bare, book), book) if asked == "subtask_name" else ()
     if listed:
         return Inform(listed)
     core = _unwrapped(bare, asked, book)
-    if core == bare or asked in NAMES:
+    sided = len(bare) < len(whole) and asked == "missing_step"
+    if not sided and (core == bare or asked in NAMES):
         core = trimmed(loosened(core, asked, book), book)
     if not core:
         return None

@@ -4,27 +4,10 @@ from __future__ import annotations
 
 from assistant.language.answers import OPEN
 from assistant.language.parsing import Hearing, Parse, texts_of
+from assistant.language.phrasebook import Phrasebook
 from assistant.language.similarity import likest
 from assistant.language.words import Words, said
 from assistant.model.teacher_acts import ACTS
-
-_QUESTIONS = frozenset(
-    [
-        "what",
-        "who",
-        "where",
-        "when",
-        "which",
-        "whose",
-        "why",
-        "how",
-        "do",
-        "did",
-        "are",
-        "is",
-        "can",
-    ]
-)
 
 
 def urgent(words: Words, hearing: Hearing) -> bool:
@@ -41,7 +24,7 @@ def urgent(words: Words, hearing: Hearing) -> bool:
 def guess(words: Words, hearing: Hearing) -> Parse | None:
     """Return the act of the likest known sentence, unless people chat or answer."""
     texts = texts_of(words)
-    answering = hearing.listening.asked in OPEN and not asks(words)
+    answering = hearing.listening.asked in OPEN and not asks(words, hearing.book)
     if answering or set(texts) & hearing.book.chat or len(texts) > 14:
         return None
     found = likest(texts, hearing.listening, hearing.language)
@@ -56,13 +39,18 @@ def guess(words: Words, hearing: Hearing) -> Parse | None:
     return Parse((ACTS[sentence.act](**slots),), score)
 
 
-def asks(words: Words) -> bool:
+def asks(words: Words, book: Phrasebook) -> bool:
     """Tell a question or a polite request from an answer."""
-    if words[0].text in ("what", "can", "do", "are", "is", "did", "how") and (
-        len(words) < 2 or (words[0].text == "can" and words[1].broken)
-    ):
-        return len(words) < 2 and words[0].text in ("what", "how")
-    if words[0].text == "what" and words[1].text in ("we", "i", "you"):
+    first, second = words[0].text, words[1].text if len(words) > 1 else ""
+    if not second:
+        return (first,) in book.wrapping.get("asked_alone", ())
+    begun = (first,)
+    listing = words[1].broken and begun in book.wrapping.get("also_things", ())
+    stated = (second,) in book.wrapping.get("stating", ())
+    if listing or (stated and begun in book.wrapping.get("whats", ())):
         return False
-    polite = words[0].text in ("could", "would", "will", "may", "shall") and len(words) > 1
-    return words[0].text in _QUESTIONS or (polite and words[1].text in ("you", "i", "we"))
+    if begun in book.wrapping.get("whens", ()):
+        return (second,) in book.wrapping.get("inverted", ())
+    if begun in book.wrapping.get("polite_first", ()):
+        return (second,) in book.wrapping.get("spoken_to", ())
+    return begun in book.wrapping.get("questions", ())

@@ -15,12 +15,20 @@ def items(words: Words, asked: Asked, book: Phrasebook) -> tuple[str, ...]:
     """Return what a list names, articles and wrapping taken off."""
     parts = [part for part in _parts(words, asked, book) if part]
     heads = {word for phrase in book.answer_words["item_heads"] for word in phrase}
-    parts = [part for part in parts if not {word.text for word in part} <= heads] or parts
+    leading = heads | _leading(book) - book.leading_words("list_nouns")
+    empty = [_is_lead(part, leading if asked == "objects" else heads, heads) for part in parts]
+    parts = [part for part, led in zip(parts, empty, strict=True) if not led] or parts
     named = [_item(part, asked, book) for part in _uncounted(parts, book)]
     if asked == "objects":
         named = [one for part in named for one in _apart(part, book)]
     found = (said(_without_articles(part, book)) for part in named if part)
     return tuple(dict.fromkeys(one for one in found if one))
+
+
+def _is_lead(part: Words, leading: frozenset[str] | set[str], heads: set[str]) -> bool:
+    """Tell a part that only leads to a thing; of one word it may be a thing, as "can" is."""
+    texts = {word.text for word in part}
+    return texts <= heads or (len(part) > 1 and texts <= leading)
 
 
 def steps(words: Words, book: Phrasebook) -> tuple[str, ...]:
@@ -32,8 +40,12 @@ def steps(words: Words, book: Phrasebook) -> tuple[str, ...]:
         return ()
     parts = [_item(part, "actions", book) for part in _parts(words, "subtask_name", book) if part]
     names = [part for part in parts if part]
-    talk = _one(book, "being") | _one(book, "pronouns") | _one(book, "subjects")
-    talk |= _one(book, "calling") | book.impure
+    talk = (
+        book.leading_words("being")
+        | book.leading_words("pronouns")
+        | book.leading_words("subjects")
+    )
+    talk |= book.leading_words("calling") | book.impure
     odd = any(len(name) > _MOST_IN_NAME or talk & set(_texts(name)) for name in names)
     told = tuple(said(_without_articles(name, book)) for name in names)
     alike = len(set(told)) < len(told)
@@ -54,23 +66,35 @@ def _parts(words: Words, asked: Asked, book: Phrasebook) -> Iterator[Words]:
             yield words[start:at]
             at = start = at + len(joint)
             continue
-        if at > start and (words[at].broken or _begins(texts, at, asked, book)):
+        if at > start and (words[at].broken or _begins(words, start, at, asked, book)):
             yield words[start:at]
             start = at
         at += 1
     yield words[start:]
 
 
-def _begins(texts: Phrase, at: int, asked: Asked, book: Phrasebook) -> bool:
+def _begins(words: Words, start: int, at: int, asked: Asked, book: Phrasebook) -> bool:
     """Tell an article or a "to" that begins the next of a list said without a pause."""
+    texts = _texts(words)
     if asked == "actions":
-        return texts[0] == "to" and texts[at] == "to"
-    articles, prepositions = _one(book, "articles"), _one(book, "prepositions")
-    return (
-        asked == "objects"
-        and texts[at] in articles
-        and texts[at - 1] not in (prepositions | articles | _one(book, "uses"))
+        last = max((n for n in range(len(texts) - 1) if texts[n] == "and"), default=-1)
+        return texts[at] == "to" and texts[last + 1] == "to"
+    articles = book.leading_words("articles")
+    if asked != "objects" or texts[at] not in articles or set(texts[start:at]) <= _leading(book):
+        return False
+    held = (
+        book.leading_words("prepositions")
+        | articles
+        | book.leading_words("uses")
+        | book.leading_words("copulas")
     )
+    return texts[at - 1] not in held
+
+
+def _leading(book: Phrasebook) -> frozenset[str]:
+    """Return the words that lead to a thing: "you will be dealing with"."""
+    names = ("uses", "wraps", "pronouns", "subjects", "list_nouns", "copulas", "item_adverbs")
+    return frozenset().union(*(book.leading_words(name) for name in names))
 
 
 def _uncounted(parts: list[Words], book: Phrasebook) -> list[Words]:
@@ -87,7 +111,7 @@ def _uncounted(parts: list[Words], book: Phrasebook) -> list[Words]:
 def _item(words: Words, asked: Asked, book: Phrasebook) -> Words:
     words = _unled(words, asked, book)
     words = _without_heads(words, book)
-    beginning = _one(book, "clause_begins") if asked == "objects" else frozenset[str]()
+    beginning = book.leading_words("clause_begins") if asked == "objects" else frozenset[str]()
     cut = next((at for at in range(1, len(words)) if words[at].text in beginning), len(words))
     return words[:cut]
 
@@ -97,11 +121,14 @@ def _unled(words: Words, asked: Asked, book: Phrasebook) -> Words:
     texts = _texts(words)
     if asked != "objects":
         return words
-    leading = _one(book, "uses") | _one(book, "wraps") | _one(book, "pronouns")
-    leading |= _one(book, "subjects") | _one(book, "list_nouns") | _one(book, "copulas")
-    articles = _one(book, "articles")
+    articles = book.leading_words("articles")
     start = next((at for at in range(1, len(texts)) if texts[at] in articles), 0)
-    return words[start:] if start and set(texts[:start]) <= leading else words
+    holding = (
+        texts[start - 1] in book.leading_words("copulas") - book.leading_words("being")
+        if start
+        else False
+    )
+    return words[start:] if start and (holding or set(texts[:start]) <= _leading(book)) else words
 
 
 def _without_heads(words: Words, book: Phrasebook) -> Words:
@@ -120,15 +147,16 @@ def _without_heads(words: Words, book: Phrasebook) -> Words:
 def _apart(words: Words, book: Phrasebook) -> Iterator[Words]:
     """Yield the things of "plate fork knife" and "red cup blue cup"; one that is plainly one."""
     texts = _texts(words)
-    things, qualities = _one(book, "things"), _one(book, "qualities")
-    carriers = _one(book, "carriers")
+    things, qualities = book.leading_words("things"), book.leading_words("qualities")
+    carriers = book.leading_words("carriers")
+    bare = len(words) > 2 and {text.removesuffix("s") for text in texts} <= things
     start = 0
     for at in range(1, len(words)):
         before, here = texts[at - 1], texts[at]
         split = here in qualities and before not in qualities
         both = before.removesuffix("s") in things and here.removesuffix("s") in things
-        split = split or (both and here not in carriers)
-        if split and not set(texts) & _one(book, "prepositions"):
+        split = split or (both and (here not in carriers or bare))
+        if split and not set(texts) & book.leading_words("prepositions"):
             yield words[start:at]
             start = at
     yield words[start:]
@@ -137,10 +165,6 @@ def _apart(words: Words, book: Phrasebook) -> Iterator[Words]:
 def _without_articles(words: Words, book: Phrasebook) -> Words:
     articles = ("a", "an", "the")
     return tuple(word for word in words if word.text not in articles) or words
-
-
-def _one(book: Phrasebook, name: str) -> frozenset[str]:
-    return frozenset(phrase[0] for phrase in book.wrapping.get(name, ()) if len(phrase) == 1)
 
 
 def _texts(words: Words) -> Phrase:

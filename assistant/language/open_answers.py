@@ -17,8 +17,9 @@ from assistant.language.parsing import (
     texts_of,
 )
 from assistant.language.repair import respelled
+from assistant.language.sides import told_side
 from assistant.language.words import Words
-from assistant.language.wrappings import said_of
+from assistant.language.wrappings import NAMES, said_of
 from assistant.model.teacher_acts import (
     AddSubtask,
     AdjustLast,
@@ -100,12 +101,13 @@ def answered(words: Words, hearing: Hearing) -> Parse:
     texts = set(texts_of(words))
     telling = words[0].text in _TELLING and len(words) > 3
     chatting = texts & hearing.book.chat and telling and not wrapped(bare, asked, hearing.book)
+    chatting = chatting and asked != "subtask_count"
     if not wrapped(bare, asked, hearing.book):
         spelled = trimmed(respelled(words, hearing.book, ()), hearing.book)
         words = spelled if wrapped(spelled, asked, hearing.book) else words
         bare = trimmed(words, hearing.book)
     bare = said_of(bare, asked, hearing.book)
-    asking = bare and asks(bare) and not wrapped(bare, asked, hearing.book)
+    asking = bare and asks(bare, hearing.book) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
@@ -128,6 +130,12 @@ def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -
     wraps = {phrase[0] for phrase in hearing.book.wrapping["wraps"]}
     names = [value.split()] if isinstance(value, str) else [one.split() for one in value]
     plain = wrapped(bare, asked, hearing.book) or len(bare) == sum(map(len, names))
+    told = told_side(bare, asked, hearing.book) if asked in NAMES else bare
+    plain = plain or len(told) < len(bare)
+    placing = {phrase[0] for phrase in hearing.book.wrapping.get("placing", ())}
+    if asked == "missing_step" and placing & set(texts_of(words)):
+        return GUESSED
+    bare = told
     plain = plain or (asked in LISTS and len(names) > 1)
     if asked in ("goal", "facing"):
         return (

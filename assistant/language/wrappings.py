@@ -29,15 +29,18 @@ def said_of(words: Words, asked: Asked, book: Phrasebook) -> Words:
     """Return what "what we want in the end is ..." or "the whole point of it is that ..." says."""
     texts = _texts(words)
     doing = [at for at in range(1, len(texts) - 1) if texts[at + 1].endswith("ing")]
-    if asked in ("task_name", "subtask_name") and any(_copula(texts, at) for at in doing):
-        return words[max(at for at in doing if _copula(texts, at)) + 1 :]
+    if asked in ("task_name", "subtask_name") and any(_copula(words, at) for at in doing):
+        return words[max(at for at in doing if _copula(words, at)) + 1 :]
     heading = next((at for at in range(1, min(len(words), 4)) if words[at].broken), 0)
     headings = {word for phrase in book.wrapping.get("goal_nouns", ()) for word in phrase}
     headed = bool(headings & set(texts[:heading])) and set(texts[:heading]) <= headings | _ARTICLES
     if asked == "goal" and headed:
         return words[heading:]
+    aside = next((at for at in range(1, len(words)) if words[at].broken), 0)
+    if asked == "goal" and aside and _clause_of(texts[aside:], asked, book) and len(words) > 8:
+        words, texts = words[aside:], texts[aside:]
     begun = _clause_of(texts, asked, book)
-    copulas = [at for at in range(begun, len(texts) - 1) if begun and _copula(texts, at)]
+    copulas = [at for at in range(begun, len(texts) - 1) if begun and _copula(words, at)]
     if not copulas or not begun:
         return words
     at = (copulas[0] if asked not in NAMES else copulas[-1]) + 1
@@ -52,20 +55,22 @@ def _clause_of(texts: Phrase, asked: Asked, book: Phrasebook) -> int:
     """Return from where on a copula ends the clause that leads to the answer; 0 if none does."""
     whats = {phrase[0] for phrase in book.wrapping.get("whats", ())}
     goals = book.wrapping.get("goal_nouns", ()) if asked == "goal" else ()
-    nouns = {phrase[0] for phrase in goals}
     for at in range(min(3, len(texts) - 1)):
         if texts[at] in whats and (texts[at] != "all" or texts[at + 1] in _SUBJECTS):
             return at + 2
-        if texts[at] in nouns:
-            return at + 1
+        noun = next((one for one in goals if texts[at : at + len(one)] == one), None)
+        if noun is not None:
+            return at + len(noun)
     return 0
 
 
-def _copula(texts: Phrase, at: int) -> bool:
+def _copula(words: Words, at: int) -> bool:
     """Tell an "is" that has no "you" or "it" before it, which would begin a new clause."""
+    texts = _texts(words)
     future = texts[at] in ("would", "will", "should") and texts[at + 1] == "be"
     told = future or texts[at] in ("is", "are", "was")
-    return told and texts[at - 1] not in _SUBJECTS and texts[at + 1] != "about"
+    alone = words[at].broken or texts[at - 1] not in _SUBJECTS
+    return told and alone and texts[at + 1] != "about"
 
 
 def _marked(words: Words, book: Phrasebook) -> Words:
