@@ -12,6 +12,7 @@ from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.naming import listed_steps, things_in, tidy_name
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
+from assistant.dialogue.slips import slip
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -42,7 +43,7 @@ def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) ->
     if dialogue.busy or isinstance(dialogue.state, Opening | Closed | Watching | Thinking):
         return None
     calm = replace(dialogue, misses=0)
-    for reply in (_person, _courtesy, _late, _standing, _puzzled, _fresh):
+    for reply in (_person, _courtesy, slip, _late, _standing, _puzzled, _fresh):
         turn = reply(calm, words, tuple(meant))
         if turn is not None:
             return turn

@@ -73,7 +73,9 @@ def _ready(dialogue: Dialogue) -> RobotAct:
     topic = f"ready_{dialogue.pace}" if not dialogue.agreed else "ready_agreed"
     if topic == "ready_slow" and dialogue.runs:
         topic = "ready_slow_again"
-    refused = dialogue.run is not None and dialogue.run.setup == dialogue.known.setup
+    run = dialogue.run
+    # What a replay was refused for was told then; practice is checked and told of anew.
+    refused = run is not None and run.setup == dialogue.known.setup and run.purpose != "replay"
     if dialogue.refusal is not None and refused:
         topic = "ready_refused"
     return line(

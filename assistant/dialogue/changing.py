@@ -23,9 +23,7 @@ from assistant.dialogue.correcting import (
 from assistant.dialogue.directions import depends_on_facing, direction_of
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.finding import find_whole, name_at, unclear
-from assistant.dialogue.going_back import resettled
 from assistant.dialogue.state import (
-    Change,
     Dialogue,
     Introducing,
     Knowledge,
@@ -34,7 +32,7 @@ from assistant.dialogue.state import (
     Ready,
     Running,
 )
-from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.dialogue.turn import Turn, Words, changed, line, say, then, with_other
 from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
@@ -65,7 +63,19 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
         question = line("ask", "facing", asked="facing")
         pending = Pending("facing", question, (act,), words)
         return ask(replace(dialogue, pending=pending))
-    return add(dialogue, feedback_from(dialogue.known, act, words, place))
+    done = add(dialogue, feedback_from(dialogue.known, act, words, place))
+    return _other_station(dialogue, done, act, Words(words))
+
+
+def _other_station(dialogue: Dialogue, done: Turn, act: Correction, words: Words) -> Turn:
+    """Keep in mind the other of two places a correction may have been meant for."""
+    given = done[0].known.lesson
+    steps = list(dict.fromkeys(one.primitive for one in given.stations)) if given else []
+    at = given.feedback[-1].primitive if given and given.feedback else ""
+    if len(steps) != 2 or at not in steps or done[0].known == dialogue.known:
+        return done
+    there = acts.Where(steps[1 - steps.index(at)], "during")
+    return with_other(dialogue, done[0], (replace(act, where=there),), words), done[1]
 
 
 def _facing_open(dialogue: Dialogue, act: Correction) -> bool:
@@ -158,7 +168,7 @@ def add(dialogue: Dialogue, feedback: Feedback, *, instead: bool = False) -> Tur
         least, most = (round(100 * one) for one in SPEEDS)
         return tell(dialogue, line("refuse", "speed_bounds", least=least, most=most))
     after = corrected(changed(dialogue, "correction", known))
-    return _told(after, told(known, feedback))
+    return told_of(after, told(known, feedback))
 
 
 def corrected(dialogue: Dialogue) -> Dialogue:
@@ -201,7 +211,8 @@ def _total(known: Knowledge, feedback: Feedback) -> float | None:
     return round(size(summed(alike)), 1) if len(alike) > 1 else None
 
 
-def _told(dialogue: Dialogue, said: RobotAct) -> Turn:
+def told_of(dialogue: Dialogue, said: RobotAct) -> Turn:
+    """Tell a change of corrections and go on; while the arm moves it counts for the next run."""
     if dialogue.busy:
         return say(dialogue, said, line("told", "next_time"))
     if isinstance(dialogue.state, Running):
@@ -220,54 +231,8 @@ def adjust_last(dialogue: Dialogue, act: acts.AdjustLast, words: str) -> Turn:
     if last.kind == "hand":
         return tell(dialogue, line("error", "no_correction"))
     feedback, instead = adjusted(last, act)
-    return add(dialogue, replace(feedback, words=words or last.words), instead=instead)
-
-
-def undo(dialogue: Dialogue) -> Turn:
-    """Take the last change back."""
-    if not dialogue.past:
-        return tell(dialogue, line("error", "nothing_to_undo"))
-    change = dialogue.past[-1]
-    future = (*dialogue.future, Change(dialogue.known, change.label))
-    return _turned_to(dialogue, change, dialogue.past[:-1], future, "undone")
-
-
-def redo(dialogue: Dialogue) -> Turn:
-    """Bring back what was taken back."""
-    if not dialogue.future:
-        return tell(dialogue, line("error", "nothing_to_redo"))
-    change = dialogue.future[-1]
-    past = (*dialogue.past, Change(dialogue.known, change.label))
-    return _turned_to(dialogue, change, past, dialogue.future[:-1], "redone")
-
-
-def _turned_to(
-    dialogue: Dialogue,
-    change: Change,
-    past: tuple[Change, ...],
-    future: tuple[Change, ...],
-    topic: str,
-) -> Turn:
-    before = dialogue.known
-    small = change.label in ("correction", "facing")
-    if dialogue.busy and not small:
-        return say(dialogue, line("error", "while_moving"))
-    after = replace(
-        dialogue,
-        known=change.known,
-        past=past,
-        future=future,
-        clean=(),
-        agreed=False,
-        unsaved=True,
-        pending=None,
-    )
-    said = line("done", topic, what=change.label)
-    if small:
-        return _told(corrected(after), said)
-    if after.arm == "checking":
-        after = replace(after, arm="rest", state=Ready())
-    return resettled(before, after, said)
+    kept = f"{last.words}, {words}" if instead and words and last.words else words or last.words
+    return add(dialogue, replace(feedback, words=kept), instead=instead)
 
 
 def shown_left(dialogue: Dialogue) -> Turn:
@@ -277,6 +242,3 @@ def shown_left(dialogue: Dialogue) -> Turn:
         return dialogue, ()
     left = -SHOWN_M if known.facing == "facing" else SHOWN_M
     return then(say(dialogue, line("announce", "left_shown")), Jog((0.0, left, 0.0)))
-
-
-__all__ = ["add", "adjust_last", "correct", "first", "redo", "shown_left", "undo"]

@@ -10,12 +10,14 @@ from assistant.dialogue.agreeing import disagreement
 from assistant.dialogue.asking import PRACTICE, index_of, places, question, tell
 from assistant.dialogue.conditions import expected, plain_conditions
 from assistant.dialogue.correcting import plain_feedback, speed_of
+from assistant.dialogue.directions import direction_of
 from assistant.dialogue.finding import find
 from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.reviewing import read_back
-from assistant.dialogue.state import Dialogue, Pending, Reviewing
+from assistant.dialogue.state import Dialogue, Knowledge, Pending, Reviewing
 from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
 from assistant.language.hints import hints, matter, mentions
+from assistant.model.feedback import Feedback
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
@@ -41,7 +43,7 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
     elif topic == "detour" and dialogue.run is not None and dialogue.run.note:
         told = line("explain", "detour", note=dialogue.run.note)
     elif topic == "stop" and dialogue.arm in ("stopped", "paused"):
-        told = line("explain", "stopped")
+        told = _why_halted(dialogue)
     elif (
         topic == "learned"
         and lesson is None
@@ -51,6 +53,12 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
     elif lesson is not None:
         told = _from_lesson(dialogue, lesson, topic, named, act.text)
     return tell(dialogue, told or _why_asked(dialogue))
+
+
+def _why_halted(dialogue: Dialogue) -> RobotAct:
+    if dialogue.arm == "paused" or dialogue.halt is None:
+        return line("explain", "stopped")
+    return replace(dialogue.halt, act="explain")
 
 
 def _from_lesson(
@@ -228,7 +236,7 @@ def show(dialogue: Dialogue, act: Show) -> Turn:
             topic = "lessons" if dialogue.saved else "no_lessons"
             told = line("told", topic, names=list(dialogue.saved))
         case "corrections":
-            told = _corrections(lesson)
+            told = _corrections(dialogue.known)
         case "plan" | "conditions":
             told = _plan(dialogue, act.what)
         case _ if lesson is None:
@@ -252,10 +260,18 @@ def _tree(dialogue: Dialogue) -> RobotAct:
     return line("told", "tree", about=About(known.name), tree=tree)
 
 
-def _corrections(lesson: Lesson | None) -> RobotAct:
-    given = [plain_feedback(one) for one in lesson.feedback] if lesson else []
+def _corrections(known: Knowledge) -> RobotAct:
+    lesson = known.lesson
+    given = [_correction(known, one) for one in lesson.feedback] if lesson else []
     topic = "corrections" if given else "no_corrections"
     return line("told", topic, corrections=given, count=len(given))
+
+
+def _correction(known: Knowledge, feedback: Feedback) -> dict[str, Any]:
+    """Return a correction as plain values, with the teacher's word for where it goes."""
+    told = plain_feedback(feedback)
+    goes = feedback.kind in ("translate", "rotate")
+    return told | ({"direction": direction_of(known, feedback)} if goes else {})
 
 
 def _plan(dialogue: Dialogue, what: str) -> RobotAct:

@@ -6,15 +6,16 @@ from dataclasses import replace
 
 from assistant.dialogue import keeping, practicing, reviewing, structure
 from assistant.dialogue.asking import tell
-from assistant.dialogue.changing import adjust_last, correct, redo, undo
+from assistant.dialogue.changing import adjust_last, correct
 from assistant.dialogue.finding import find, name_at, unclear
 from assistant.dialogue.going_back import go_back
 from assistant.dialogue.placing import set_pose
-from assistant.dialogue.replying import answers_by_words
+from assistant.dialogue.plain_answers import answers_by_words
 from assistant.dialogue.state import (
     Dialogue,
 )
 from assistant.dialogue.turn import Turn, Words, line, say
+from assistant.dialogue.undoing import redo, undo
 from assistant.model import teacher_acts as acts
 
 

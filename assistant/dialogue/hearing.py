@@ -10,16 +10,26 @@ from assistant.dialogue import heard_names, keeping, practicing, showing
 from assistant.dialogue.asides import aside
 from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
+from assistant.dialogue.doubting import doubted, is_guess, misunderstood, without_guess
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain, show
 from assistant.dialogue.finding import with_name
+from assistant.dialogue.fresh import fresh
 from assistant.dialogue.general import general
 from assistant.dialogue.grounding import names_known, two_ways
-from assistant.dialogue.helping import help_line, misunderstood, patient
+from assistant.dialogue.helping import help_line, patient
 from assistant.dialogue.naming import number_of, text_of
-from assistant.dialogue.replying import answers_plainly, in_state, told_steps
+from assistant.dialogue.otherwise import (
+    guessed_other,
+    remembered,
+    taken_back,
+    wants_other,
+)
+from assistant.dialogue.plain_answers import answers_plainly, tells_body, told_steps
+from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
+from assistant.dialogue.slips import BEGIN_ANEW
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -27,18 +37,15 @@ from assistant.dialogue.state import (
     Pending,
     Watching,
 )
-from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say, with_other
 from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.language.hints import hints, mentions
 from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
 from assistant.model.settings import SafetySettings
-from assistant.model.teacher_acts import act_to_json
 
 SAFETY = SafetySettings()
-MOST_GUESSES = 2
-"""Guesses read back one after the other before the robot tells what can be said."""
 _LAST = (acts.NewSetup, acts.Start, acts.Resume, acts.Again, acts.Quit)
 
 
@@ -53,28 +60,60 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     heard = heard_names.to_read_back(dialogue, event, meant)
     if heard:
         return heard_names.read_back(dialogue, meant, heard, words)
-    beside = aside(dialogue, words, meant)
-    if beside is not None:
-        return one_question(beside)
-    request = requested(dialogue, words)
-    if request is not None:
-        return one_question(request)
+    turn = _by_words(dialogue, meant, words) or _told_plainly(dialogue, event, meant, words)
+    return remembered(dialogue, turn or _by_meaning(dialogue, event, meant, words))
+
+
+def _by_words(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn | None:
+    """Answer what its words alone tell, whatever the understanding makes of them."""
+    turn = aside(dialogue, words, meant) or requested(dialogue, words)
+    if turn is not None:
+        return one_question(turn)
+    if wants_other(dialogue, words.text):
+        return one_question(_other_one(dialogue))
     if two_ways(dialogue, words.text, meant):
-        return _doubted(replace(dialogue, misses=0), (acts.Translate("right"),), words)
+        turned = (acts.Translate("right"),)
+        return doubted(replace(dialogue, misses=0), turned, words, other=meant)
     if unknowing(dialogue, words.text):
         return one_question(unknown_to(dialogue, words))
+    return None
+
+
+def _other_one(dialogue: Dialogue) -> Turn:
+    """Take the second-best reading of a guess, or the other of two candidates."""
+    other = dialogue.other
+    if is_guess(dialogue.pending) or other is None:
+        return guessed_other(dialogue)
+    back, effects = taken_back(dialogue, other)
+    return first(effects, act_on_all(back, other.acts, Words(other.words)))
+
+
+def _told_plainly(
+    dialogue: Dialogue, event: Heard, meant: tuple[acts.TeacherAct, ...], words: Words
+) -> Turn | None:
+    """Answer a list of steps, or a size, that was asked for."""
     steps = told_steps(dialogue, words.text, meant)
     if steps and heard_names.misheard(event):
         return heard_names.read_back(dialogue, (acts.Inform(steps),), steps, words)
     if steps:
         return one_question(act_on_all(dialogue, (acts.Inform(steps),), words))
+    answering = without_guess(dialogue)
+    if tells_body(answering, meant):
+        return one_question(patient(dialogue, act_on(answering, acts.Inform(words.text), words)))
+    return None
+
+
+def _by_meaning(
+    dialogue: Dialogue, event: Heard, meant: tuple[acts.TeacherAct, ...], words: Words
+) -> Turn:
+    """Do what was understood, or ask whether it was meant."""
     unsure = event.understanding.confidence < SAFETY.act_confidence
-    plain = answers_plainly(dialogue, meant, words.text) or (
+    plain = answers_plainly(without_guess(dialogue), meant, words.text) or (
         # What changes the plan must have been heard well.
         names_known(dialogue, meant) and not heard_names.misheard(event)
     )
     if unsure and not plain:
-        return _doubted(dialogue, meant, words)
+        return doubted(dialogue, meant, words)
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 
 
@@ -114,38 +153,10 @@ def act_on_all(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Wo
     return dialogue, effects
 
 
-def _doubted(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn:
-    """Read back the best guess and ask; never act on it."""
-    if isinstance(dialogue.state, Watching) and not _ends(meant):
-        return dialogue, ()
-    if all(isinstance(act, acts.Unknown) for act in meant) or not _fresh_guess(dialogue, meant):
-        return misunderstood(dialogue)
-    told = [act_to_json(act) for act in meant]
-    guess = line("confirm", "did_you_mean", asked="did_you_mean", acts=told)
-    doubting = replace(
-        dialogue,
-        misses=dialogue.misses + 1,
-        pending=Pending("did_you_mean", guess, meant, words.text),
-    )
-    return ask(doubting)
-
-
-def _fresh_guess(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
-    """Whether a guess may be read back: the first, or a new one after one that was passed over."""
-    pending = dialogue.pending
-    if pending is None or pending.line.topic != "did_you_mean":
-        return not dialogue.misses
-    return dialogue.misses < MOST_GUESSES and pending.acts != meant
-
-
-def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:
-    return any(isinstance(act, acts.Approve | acts.Affirm) for act in meant)
-
-
 def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
     """Do one act: what works everywhere first, then what the state makes of it."""
     if isinstance(act, acts.Unknown):
-        return misunderstood(dialogue)
+        return misunderstood(dialogue, words)
     heard = replace(dialogue, misses=0)
     anywhere = _anywhere(heard, act, words)
     if anywhere is not None:
@@ -209,11 +220,13 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
         return _chosen(free, pending, text_of(act.value), words)
     confirmed = Words(pending.words or words.text, words.by_voice, sure=True)
     match act:
+        case acts.Affirm() | acts.Approve() | acts.Start() if pending.line.topic == BEGIN_ANEW:
+            return fresh(free)
         case acts.Affirm() | acts.Approve() | acts.Start():
             return act_on_all(free, pending.acts, confirmed)
         case acts.Deny() if pending.line.topic == heard_names.TOPIC:
             return tell(free, line("told", "say_or_spell"))
-        case acts.Deny() if pending.line.topic == "did_you_mean":
+        case acts.Deny() if is_guess(pending):
             return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
         case acts.Deny():
             return tell(free, line("told", "as_it_was"))
@@ -234,7 +247,12 @@ def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Tu
         told = line("error", "not_among", names=offered)
         return tell(replace(dialogue, pending=pending), told)
     chosen = tuple(with_name(act, pending.words, names[0]) for act in pending.acts)
-    return act_on_all(dialogue, chosen, words)
+    done = act_on_all(dialogue, chosen, words)
+    if len(offered) != 2:
+        return done
+    other = offered[1 - offered.index(names[0])]
+    instead = tuple(with_name(act, pending.words, other) for act in pending.acts)
+    return with_other(dialogue, done[0], instead, words), done[1]
 
 
 def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Words) -> Turn:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.dialogue.asking import question, stage, tell
+from assistant.dialogue.asking import question, stage
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.naming import thing_names
 from assistant.dialogue.state import Dialogue, Watching
@@ -21,20 +21,9 @@ def help_line(dialogue: Dialogue) -> RobotAct:
     topic: str = dialogue.arm
     if dialogue.arm not in ("moving", "paused", "stopped", "checking"):
         topic = asked.asked if asked is not None and asked.asked else stage(dialogue)
+        topic = "count_of" if asked is not None and asked.topic == "count_of" else topic
         topic = "watching" if isinstance(dialogue.state, Watching) else topic
     return line("help", topic, things=thing_names(dialogue.known.scene, dialogue.known.setup))
-
-
-def misunderstood(dialogue: Dialogue) -> Turn:
-    """Tell that nothing was understood; the second time also what can be said now."""
-    if isinstance(dialogue.state, Watching):
-        return dialogue, ()
-    guessed = dialogue.pending is not None and dialogue.pending.line.topic == "did_you_mean"
-    pending = None if guessed else dialogue.pending
-    missed = replace(dialogue, misses=dialogue.misses + 1, pending=pending)
-    if dialogue.misses == 0:
-        return tell(missed, line("error", "not_understood"))
-    return tell(missed, line("error", "not_understood_again"), help_line(missed))
 
 
 def patient(before: Dialogue, turn: Turn) -> Turn:

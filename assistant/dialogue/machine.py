@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import assert_never
 
 from assistant.dialogue import practicing, reporting, reviewing, showing
-from assistant.dialogue.asking import ask, question, stage
+from assistant.dialogue.asking import ask
 from assistant.dialogue.effects import Arrange, Effect, Say
 from assistant.dialogue.events import (
     ArmReported,
@@ -30,13 +30,11 @@ from assistant.dialogue.events import (
 from assistant.dialogue.hearing import hear
 from assistant.dialogue.introduction import need
 from assistant.dialogue.keeping import kept, known_as, loaded, resumed, taken_up
+from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.naming import thing_names
-from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
 from assistant.dialogue.turn import Turn, first, line, say
 from assistant.dialogue.view import public_view
-from assistant.language.hints import hints
-from assistant.model.listening import Listening
 from assistant.model.robot_acts import About
 
 
@@ -125,21 +123,4 @@ def _begun(dialogue: Dialogue, event: Begun) -> Turn:
     return first(say(taught, greeting)[1], resumed(taught))
 
 
-def listening(dialogue: Dialogue) -> Listening:
-    """Return what the understanding of the next words depends on."""
-    asked = question(dialogue)
-    known = dialogue.known
-    things = tuple(one.name for one in known.objects or ()) or tuple(known.scene.bodies)
-    own: dict[str, list[str]] = hints("things", known.language)
-    things = tuple(own.get(name, [name])[0] for name in things)
-    return Listening(
-        stage(dialogue),
-        asked.asked if asked is not None else None,
-        dialogue.in_motion,
-        known.name,
-        things,
-        names(known.root),
-    )
-
-
-__all__ = ["begin", "listening", "public_view", "step"]
+__all__ = ["begin", "beneath", "listening", "public_view", "step"]

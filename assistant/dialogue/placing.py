@@ -17,7 +17,7 @@ from assistant.dialogue.state import (
     Ready,
     Running,
 )
-from assistant.dialogue.turn import Turn, changed, first, line, plain_place, say
+from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, with_other
 from assistant.language.actions import mentioned_objects
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
@@ -51,7 +51,11 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     if not sure:
         question = line("confirm", "place", asked="did_you_mean", **told.slots)
         return tell(replace(dialogue, pending=Pending("did_you_mean", question, (act,), words)))
-    return placed(dialogue, thing, place)
+    done = placed(dialogue, thing, place)
+    others = [one.name for one in known.objects or () if one.name != thing]
+    if len(others) != 1:
+        return done
+    return with_other(dialogue, done[0], (replace(act, object=others[0]),), Words(words)), done[1]
 
 
 def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:

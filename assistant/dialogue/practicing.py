@@ -36,8 +36,8 @@ def stopped(dialogue: Dialogue, why: str) -> Turn:
     if dialogue.arm == "homing":
         return not_home(dialogue, line("stopped", "stop.home", why=why))
     run = dialogue.run and replace(dialogue.run, interrupted=True)
-    still = replace(dialogue, arm="stopped", pending=None, run=run)
-    return say(still, line("stopped", "stop", why=why))
+    told = line("stopped", "stop", why=why)
+    return say(replace(dialogue, arm="stopped", pending=None, run=run, halt=told), told)
 
 
 def not_home(dialogue: Dialogue, told: RobotAct) -> Turn:
@@ -69,14 +69,16 @@ def pause(dialogue: Dialogue) -> Turn:
 
 
 def resume(dialogue: Dialogue) -> Turn:
-    """Go on after a pause; after a stop only a start will do."""
+    """Go on after a pause; after a stop only a start will do, at rest it begins a run."""
     if dialogue.arm == "stopped":
         return say(dialogue, line("told", "say_start"))
     if dialogue.arm == "paused":
         return go_on(dialogue)
     if dialogue.busy:
         return say(dialogue, line("told", "moving_already"))
-    return tell(dialogue, line("error", "not_now"))
+    if any(said.act == "stopped" for said in dialogue.said):
+        return tell(dialogue, line("told", "say_start"))
+    return begin_run(dialogue)
 
 
 def go_on(dialogue: Dialogue) -> Turn:

@@ -185,6 +185,7 @@ def announcement(dialogue: Dialogue, leaf: Primitive) -> RobotAct:
         name=leaf.name,
         before=plain_conditions(before),
         until=plain_conditions(until),
+        going_on=plain_conditions(tuple(one for one in until if one not in changes)),
         action=plain_action(leaf.action),
         expect=plain_conditions(changes),
     )
@@ -217,7 +218,7 @@ def _unmet(dialogue: Dialogue, report: ArmReport) -> Turn:
     told = unmet_line(report, name, index_of(dialogue.known, name))
     # What goes on after a condition had to be put right was not done by the robot alone.
     run = dialogue.run and replace(dialogue.run, interrupted=True)
-    return say(replace(dialogue, arm="stopped", clean=(), run=run), told)
+    return say(replace(dialogue, arm="stopped", clean=(), run=run, halt=told), told)
 
 
 def unmet_line(report: ArmReport, name: str, index: Index = ()) -> RobotAct:

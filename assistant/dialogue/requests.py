@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask, begin_run, places, question, tell
 from assistant.dialogue.effects import Arrange, Home
-from assistant.dialogue.keeping import discard_wanted, known_as, load, save, write_down
+from assistant.dialogue.keeping import (
+    answer_unsaved,
+    discard_wanted,
+    known_as,
+    load,
+    save,
+    write_down,
+)
 from assistant.dialogue.naming import tidy_name
 from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import (
@@ -26,7 +34,7 @@ from assistant.language.actions import mentioned_objects
 from assistant.language.asides import after
 from assistant.language.hints import hints, mentions
 from assistant.model.setup import Place
-from assistant.model.teacher_acts import Again
+from assistant.model.teacher_acts import Again, Save
 
 
 def requested(dialogue: Dialogue, words: Words) -> Turn | None:
@@ -42,7 +50,7 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
             return turn
     if not isinstance(dialogue.state, Ready | Running | Ran):
         return numbered(calm, words)
-    for reply in (numbered, _rewind, _swapped, _look_ahead, _home):
+    for reply in (numbered, _rewind, _swapped, _pointed, _look_ahead, _home):
         turn = reply(calm, words)
         if turn is not None:
             return turn
@@ -81,7 +89,11 @@ def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
 def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
     """Save under a name that is told whole: "save it as version one"."""
     name = tidy_name(after(words.text, "save_as", dialogue.language))
-    if not name or dialogue.pending is not None or not dialogue.known.name:
+    pending = dialogue.pending
+    if pending is not None and pending.asked == "unsaved":
+        name = name or tidy_name(after(words.text, "yes_as", dialogue.language))
+        return answer_unsaved(dialogue, Save(name)) if name else None
+    if not name or pending is not None or not dialogue.known.name:
         return None
     return save(dialogue, name)
 
@@ -104,6 +116,15 @@ def _why_refused(dialogue: Dialogue, words: Words) -> Turn | None:
     if plain not in hints("why_not", dialogue.language):
         return None
     return tell(dialogue, refusal_line("explain", refusal))
+
+
+def _pointed(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Tell who points somewhere that the robot cannot see it, and what it would need."""
+    if re.search(r"\d", words.text) or not mentions(
+        words.text, hints("pointing", dialogue.language)
+    ):
+        return None
+    return tell(dialogue, line("told", "cannot_see"))
 
 
 def _look_ahead(dialogue: Dialogue, words: Words) -> Turn | None:

@@ -178,6 +178,8 @@ class Pending:
         For ``unsaved``: leave after the answer.
     after : tuple
         For ``unsaved``: what else follows the answer.
+    other : tuple of TeacherAct
+        For a guess: what the teacher means if not that.
     """
 
     asked: Asked
@@ -187,6 +189,7 @@ class Pending:
     keep_name: str = ""
     leave: bool = False
     after: After = ("", "")
+    other: tuple[TeacherAct, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,6 +198,23 @@ class Change:
 
     known: Knowledge
     label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Other:
+    """What would have been done with the other of two candidates.
+
+    Parameters
+    ----------
+    acts : tuple of TeacherAct
+    words : str
+    depth : int
+        How many changes had been made before the first candidate was taken.
+    """
+
+    acts: tuple[TeacherAct, ...]
+    words: str
+    depth: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -218,6 +238,10 @@ class Dialogue:
         Undo and redo.
     said : tuple of RobotAct
         The robot's last turn, for "what did you say?".
+    halt : RobotAct or None
+        Why the arm was stopped the last time, as it was told.
+    other : Other or None
+        For "no, I meant the other one"; forgotten with the next words.
     misses : int
         Times in a row that the teacher was not understood.
     """
@@ -234,6 +258,8 @@ class Dialogue:
     past: tuple[Change, ...] = ()
     future: tuple[Change, ...] = ()
     said: tuple[RobotAct, ...] = ()
+    halt: RobotAct | None = None
+    other: Other | None = None
     misses: int = 0
     brief: bool = False
     saved: tuple[str, ...] = ()

@@ -9,12 +9,12 @@ from typing import Any
 
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.sketch import Sketch, walk
-from assistant.dialogue.state import Change, Dialogue, Knowledge
+from assistant.dialogue.state import Change, Dialogue, Knowledge, Other
 from assistant.model.conditions import Condition
 from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.setup import Place
 from assistant.model.task import Action, Index
-from assistant.model.teacher_acts import Asked
+from assistant.model.teacher_acts import Asked, TeacherAct
 
 Turn = tuple[Dialogue, tuple[Effect, ...]]
 
@@ -85,6 +85,13 @@ def changed(
     after = replace(dialogue, known=known, past=past, future=(), clean=clean)
     # Where things are and where the teacher stands is no part of a saved task.
     return after if label in ASIDE else replace(after, unsaved=True, agreed=False)
+
+
+def with_other(
+    before: Dialogue, after: Dialogue, other: tuple[TeacherAct, ...], words: Words
+) -> Dialogue:
+    """Return the dialogue with what would be done with the other candidate kept in mind."""
+    return replace(after, other=Other(other, words.text, len(before.past)))
 
 
 def about(known: Knowledge, index: Index) -> About:

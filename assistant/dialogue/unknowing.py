@@ -9,17 +9,23 @@ from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import thing_names
 from assistant.dialogue.replying import in_state
+from assistant.dialogue.reviewing import next_question
 from assistant.dialogue.sketch import with_parts
-from assistant.dialogue.state import Dialogue, Introducing, Pending
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Reviewing
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language import asides
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
+REPLAY_NOW = Pending("ready", line("ask", "replay_now", asked="ready"), (acts.Again(),))
+"""Shall I show it slowly with my arm?"""
+
 
 def unknowing(dialogue: Dialogue, text: str) -> bool:
     """Whether the teacher says not to know what the introduction asks."""
     state = dialogue.state
+    if isinstance(state, Reviewing):
+        return asides.unknowing(text, dialogue.language) and "?" not in text
     if not isinstance(state, Introducing):
         return False
     later = state.asked == "pose" and mentions(text, hints("shown_later", dialogue.language))
@@ -31,6 +37,8 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
     """Go on without the answer where that is possible, else help to find one."""
     state = dialogue.state
     free = replace(dialogue, pending=None, misses=0)
+    if isinstance(state, Reviewing):
+        return _left_open(free, state)
     if not isinstance(state, Introducing):
         return tell(free, line("told", "need_to_know"))
     if state.asked == "task_name":
@@ -44,6 +52,17 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
     if state.asked == "objects" and not state.index:
         return _all_things(free, words)
     return in_state(free, acts.Deny(), words)
+
+
+def _left_open(dialogue: Dialogue, state: Reviewing) -> Turn:
+    """Take what is safe where a question of learning is left open; show what was seen."""
+    asked = state.questions[0].asked if state.questions else ""
+    if asked in ("optional", "order"):
+        told = line("told", "kept_order" if asked == "order" else "kept_all_the_same")
+        return first(say(dialogue, told)[1], next_question(dialogue, state))
+    if dialogue.known.lesson is None or dialogue.known.lesson.path is None:
+        return tell(dialogue, help_line(dialogue))
+    return ask(replace(dialogue, pending=REPLAY_NOW))
 
 
 def _all_shown(dialogue: Dialogue) -> Turn:

@@ -199,7 +199,7 @@ def _corrections(wording: Wording, value: Any) -> str:
         wording.words("correction", {**one, "number": at, "amount": _amount(wording, one)})
         for at, one in enumerate(value or (), start=1)
     ]
-    return "; ".join(told)
+    return "\n".join(told)
 
 
 def _amount(wording: Wording, one: Mapping[str, Any]) -> str:

@@ -9,23 +9,19 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue import events
 from assistant.dialogue.machine import begin, listening, public_view, step
-from assistant.dialogue.referring import by_name
 from assistant.errors import BadInput
 from assistant.files.library import Library
 from assistant.language.speech import phrase
 from assistant.language.stopping import has_stop_word
-from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
-from assistant.model.teacher_acts import Stop
 from assistant.model.transcript import Note
 from assistant.ports import Hand, HandSample
 from assistant.session import halting
@@ -33,6 +29,7 @@ from assistant.session.doing import do
 from assistant.session.equipment import DrivenHand, Equipment
 from assistant.session.happenings import Store, to_step
 from assistant.session.journal import Journal
+from assistant.session.meaning import meant
 from assistant.session.motion import Mover
 from assistant.session.saying import as_step, not_kept
 from assistant.session.watching import Watching
@@ -129,14 +126,8 @@ class Session:
             self.equipment.stop_flag.set()
 
     def understood(self, text: str, sure: float = 1.0) -> Understanding:
-        """Return what words mean here and now; while the arm moves a stop word means stop.
-
-        Words that were not surely recognized mean nothing more surely than that.
-        """
-        if self.listening.moving and has_stop_word(text, self.language):
-            return Understanding((Stop(),), 1.0, text)
-        meant = understand(by_name(self.dialogue, text), self.listening, self.language)
-        return replace(meant, confidence=min(meant.confidence, sure))
+        """Return what words mean here and now."""
+        return meant(self.dialogue, text, sure, self.language)
 
     def hear(
         self, text: str, *, by_voice: bool = False, sure: float = 1.0, ago_s: float = 0.0

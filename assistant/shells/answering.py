@@ -12,7 +12,6 @@ from rich.table import Table
 from rich.text import Text
 
 from assistant.dialogue.state import Knowledge
-from assistant.files.wording import feedback_words
 from assistant.language.hints import page
 from assistant.model.lesson import LearnedPath, Lesson
 from assistant.model.robot_acts import RobotAct
@@ -35,6 +34,9 @@ def picture(session: Session, line: RobotAct) -> RenderableType | None:
             return task_tree(known.task)
         case "plan" | "conditions":
             return _sentences(session.phrased(line))
+        case "corrections":
+            told = session.phrased(line).split("\n")
+            return _sentences("\n".join(one for one in told if one[:1].isdigit()))
         case "setup" if known.setup.places:
             return setup_view(known.setup)
         case _ if known.lesson is not None:
@@ -48,13 +50,6 @@ def _of_lesson(
 ) -> RenderableType | None:
     if topic == "episodes":
         return Group(*segmentation_views(lesson))
-    if topic == "corrections":
-        table = Table(box=None, pad_edge=False)
-        for heading in ("number", "correction"):
-            table.add_column(words[heading])
-        for number, each in enumerate(lesson.feedback, start=1):
-            table.add_row(str(number), Text(feedback_words(each)))
-        return table
     path = lesson.path
     if topic == "trajectory" and path is not None:
         spots = tuple((station.frame, station.at) for station in lesson.stations)

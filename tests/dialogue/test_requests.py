@@ -61,7 +61,7 @@ def test_corrections_are_listed_with_numbers_and_sizes() -> None:
     told = three().hear(acts.Show("corrections"))
     said = phrase(told.lines[0])
     assert '1. "up": 5 mm' in said
-    assert '3. "turn right": 3 degrees' in said
+    assert '3. "turn right": turned 3 degrees right' in said
 
 
 def test_when_you_place_it_is_the_step_that_opens_the_hand() -> None:
@@ -116,7 +116,7 @@ def test_on_its_way_home_a_stop_is_told_as_one(act: acts.Stop | acts.Pause) -> N
     assert teacher.did(fx.Halt)
     assert teacher.topics == ["stopped.stop.home", "ask.ready_slow"]
     teacher.report("halted", text="stop")
-    assert teacher.hear(acts.Resume(), text="resume").topics == ["error.not_now", "ask.ready_slow"]
+    assert teacher.hear(acts.Resume(), text="resume").topics == ["told.say_start", "ask.ready_slow"]
     assert teacher.hear(acts.Start(), text="start").did(fx.Check)
 
 
@@ -211,3 +211,27 @@ def test_a_refusal_after_a_correction_names_it() -> None:
     teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
     assert teacher.topics[:2] == ["refuse.collision", "told.corrected_before"]
     assert "way lower" in phrase(teacher.lines[1])
+
+
+def test_who_points_is_told_what_the_robot_cannot_see() -> None:
+    teacher = Lessons().ready().hear(acts.Unknown(), text="put the block over there")
+    assert teacher.topics == ["told.cannot_see", "ask.ready_slow"]
+
+
+def test_a_name_may_be_told_with_the_yes_to_saving() -> None:
+    teacher = Lessons().ready().hear(acts.Quit(), text="bye")
+    teacher.hear(acts.Affirm(), text="yes as peg1", sure=0.6)
+    (keeping,) = (one for one in teacher.effects if isinstance(one, fx.Keep))
+    assert keeping.name == "peg1"
+
+
+def test_why_the_arm_stands_is_told_truly() -> None:
+    teacher = Lessons().ready().moving().report("primitive", 0)
+    teacher.report("unmet", 0, text="held", object="block", when="until")
+    teacher.hear(acts.Explain("why did you stop"), text="why did you stop")
+    assert teacher.topics == ["explain.unmet_until.held"]
+    told = phrase(teacher.lines[0])
+    assert told.startswith('I stopped because "approach object" was to end when')
+    stopped = Lessons().ready().moving().hear(acts.Stop(), text="stop")
+    stopped.hear(acts.Explain("why did you stop"), text="why did you stop")
+    assert phrase(stopped.lines[0]) == "I stopped because you said stop."

@@ -1,0 +1,159 @@
+"""What was not heard surely: the best guess is read back and asked about, never acted on.
+
+A teacher who is not understood twice hears what can be said, and where an answer may be any
+words, is asked whether the words were the answer: no question of the introduction is a dead end.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import ask, question, tell
+from assistant.dialogue.helping import help_line
+from assistant.dialogue.naming import is_odd, steps_in, tidy
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
+from assistant.dialogue.turn import Turn, Words, first, line, say
+from assistant.model import teacher_acts as acts
+from assistant.model.teacher_acts import act_to_json
+
+MOST_GUESSES = 2
+"""Guesses read back one after the other before the robot tells what can be said."""
+TOPIC = "did_you_mean"
+GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown")
+"""Questions whether the robot's guess is what was meant; who says something else answers it."""
+IN_ANY_WORDS = ("task_name", "goal", "objects", "subtask_name", "actions")
+"""Questions whose answer may be any words."""
+_NO_PLACE = (
+    acts.Unknown,
+    acts.Inform,
+    acts.Affirm,
+    acts.Deny,
+    acts.Start,
+    acts.Show,
+    acts.GoBack,
+    acts.Translate,
+)
+FEWEST_STEPS, LONGEST_STEP, LONGEST_ANSWER = 3, 8, 12
+
+
+def is_guess(pending: Pending | None) -> bool:
+    """Whether the question in between is a guess that was read back."""
+    return pending is not None and pending.line.topic.split(".")[0] in GUESSES
+
+
+def without_guess(dialogue: Dialogue) -> Dialogue:
+    """Return the dialogue as it was before a guess was read back."""
+    return replace(dialogue, pending=None) if is_guess(dialogue.pending) else dialogue
+
+
+def doubted(
+    dialogue: Dialogue,
+    meant: tuple[acts.TeacherAct, ...],
+    words: Words,
+    other: tuple[acts.TeacherAct, ...] = (),
+) -> Turn:
+    """Read back the best guess and ask; never act on it.
+
+    `other` is what is meant if not that, where it is known already.
+    """
+    if isinstance(dialogue.state, Watching) and not _ends(meant):
+        return dialogue, ()
+    instead = _steps_listed(dialogue, words) or _place_shown(dialogue, meant)
+    if instead is not None:
+        return instead
+    if _says_yes_or_no(meant) and dialogue.pending is not None:
+        return _yes_or_no(dialogue)
+    if all(isinstance(act, acts.Unknown) for act in meant) or not _fresh(dialogue, meant):
+        return misunderstood(dialogue, words)
+    told = [act_to_json(act) for act in meant]
+    guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
+    pending = Pending("did_you_mean", guess, meant, words.text, other=other)
+    return _asked_between(dialogue, pending)
+
+
+def misunderstood(dialogue: Dialogue, words: Words) -> Turn:
+    """Tell that nothing was understood; the second time also what can be said now."""
+    if isinstance(dialogue.state, Watching):
+        return dialogue, ()
+    pending = None if is_guess(dialogue.pending) else dialogue.pending
+    missed = replace(dialogue, misses=dialogue.misses + 1, pending=pending)
+    if dialogue.misses == 0:
+        return tell(missed, line("error", "not_understood"))
+    # Whoever was helped begins anew: what is said next may be guessed again.
+    helped = replace(missed, misses=0)
+    lines = (line("error", "not_understood_again"), help_line(helped))
+    taken = _taking_words(helped, words)
+    return tell(helped, *lines) if taken is None else first(say(helped, *lines)[1], taken)
+
+
+def _fresh(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
+    """Whether a guess may be read back: one that was not just passed over, and not ever more."""
+    pending = dialogue.pending
+    passed_over = pending is not None and is_guess(pending) and pending.acts == meant
+    return dialogue.misses < MOST_GUESSES and not passed_over
+
+
+def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:
+    return any(isinstance(act, acts.Approve | acts.Affirm) for act in meant)
+
+
+def _says_yes_or_no(meant: tuple[acts.TeacherAct, ...]) -> bool:
+    return all(isinstance(act, acts.Affirm | acts.Deny) for act in meant)
+
+
+def _yes_or_no(dialogue: Dialogue) -> Turn:
+    """Ask for a plain yes or no: "did you mean yes?" would only add a question."""
+    return tell(replace(dialogue, misses=dialogue.misses + 1), line("told", "yes_or_no"))
+
+
+def _topic(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> str:
+    """Return how a guess is asked about; an answer as the answer to its question."""
+    state = dialogue.state
+    only = meant[0] if len(meant) == 1 else None
+    if isinstance(state, Introducing) and isinstance(only, acts.Inform):
+        return f"{TOPIC}.{state.asked}" if isinstance(only.value, str) else TOPIC
+    return TOPIC
+
+
+def _asked_between(dialogue: Dialogue, pending: Pending) -> Turn:
+    return ask(replace(dialogue, misses=dialogue.misses + 1, pending=pending))
+
+
+def _steps_listed(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Ask whether a list of words that no grammar knows are the steps asked for."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or state.asked not in ("subtask_count", "subtask_name"):
+        return None
+    steps = steps_in(words.text, 2, dialogue.language)
+    told = dict.fromkeys(steps)
+    plain = all(len(step.split()) <= LONGEST_STEP for step in steps) and "?" not in words.text
+    if state.named or len(told) < FEWEST_STEPS or len(told) < len(steps) or not plain:
+        return None
+    question = line("confirm", "listed_steps", asked="did_you_mean", names=list(steps))
+    pending = Pending("did_you_mean", question, (acts.Inform(steps),), words.text)
+    return _asked_between(dialogue, pending)
+
+
+def _place_shown(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Offer to see from the demonstration where a thing is, to who does not tell a place."""
+    state, pending = dialogue.state, dialogue.pending
+    if not isinstance(state, Introducing) or state.asked != "pose" or pending is not None:
+        return None
+    if not all(isinstance(act, _NO_PLACE) for act in meant):
+        return None
+    question = line("confirm", "place_shown", asked="did_you_mean", thing=state.thing)
+    return _asked_between(dialogue, Pending("did_you_mean", question, (acts.Deny(),)))
+
+
+def _taking_words(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Ask whether the words were the answer, where it may be any words."""
+    state, asked = dialogue.state, question(dialogue)
+    open_ = isinstance(state, Introducing) and asked is not None and asked.asked == state.asked
+    if not open_ or asked is None or asked.asked not in IN_ANY_WORDS:
+        return None
+    text = tidy(words.text, dialogue.language)
+    odd = asked.asked == "task_name" and is_odd(text, dialogue.language)
+    if not text or len(text.split()) > LONGEST_ANSWER or odd or "?" in words.text:
+        return None
+    taking = line("confirm", "take_words", asked="did_you_mean", words=text)
+    return ask(replace(dialogue, pending=Pending("did_you_mean", taking, (acts.Inform(text),))))

@@ -1,0 +1,67 @@
+"""The last change taken back, and brought again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assistant.dialogue.asking import tell
+from assistant.dialogue.changing import corrected, told_of
+from assistant.dialogue.going_back import resettled
+from assistant.dialogue.sketch import names
+from assistant.dialogue.state import Change, Dialogue, Knowledge, Ready
+from assistant.dialogue.turn import Turn, line, say
+
+
+def undo(dialogue: Dialogue) -> Turn:
+    """Take the last change back."""
+    if not dialogue.past:
+        return tell(dialogue, line("error", "nothing_to_undo"))
+    change = dialogue.past[-1]
+    future = (*dialogue.future, Change(dialogue.known, change.label))
+    return _turned_to(dialogue, change, dialogue.past[:-1], future, "undone")
+
+
+def redo(dialogue: Dialogue) -> Turn:
+    """Bring back what was taken back."""
+    if not dialogue.future:
+        return tell(dialogue, line("error", "nothing_to_redo"))
+    change = dialogue.future[-1]
+    past = (*dialogue.past, Change(dialogue.known, change.label))
+    return _turned_to(dialogue, change, past, dialogue.future[:-1], "redone")
+
+
+def _turned_to(
+    dialogue: Dialogue,
+    change: Change,
+    past: tuple[Change, ...],
+    future: tuple[Change, ...],
+    topic: str,
+) -> Turn:
+    before = dialogue.known
+    small = change.label in ("correction", "facing")
+    if dialogue.busy and not small:
+        return say(dialogue, line("error", "while_moving"))
+    after = replace(
+        dialogue,
+        known=change.known,
+        past=past,
+        future=future,
+        clean=(),
+        agreed=False,
+        unsaved=True,
+        pending=None,
+    )
+    said = line("done", topic, what=change.label, names=_named(before, change))
+    if small:
+        return told_of(corrected(after), said)
+    if after.arm == "checking":
+        after = replace(after, arm="rest", state=Ready())
+    return resettled(before, after, said)
+
+
+def _named(before: Knowledge, change: Change) -> list[str]:
+    """Return the steps that came or went with a change of names."""
+    if change.label not in ("subtask_name", "steps"):
+        return []
+    one, other = names(before.root), names(change.known.root)
+    return [name for name in (*one, *other) if (name in one) != (name in other)]

@@ -1,0 +1,90 @@
+"""No question of the introduction is a dead end, and answers are heard through a guess."""
+
+from __future__ import annotations
+
+from assistant.dialogue.listening import beneath, listening
+from assistant.dialogue.machine import begin
+from assistant.language.speech import phrase
+from assistant.model import teacher_acts as acts
+from assistant.session.meaning import meant
+from tests.dialogue.teaching import Lessons
+
+ODD = "pour me a cup of tea"
+
+
+def said(teacher: Lessons, text: str) -> Lessons:
+    """Let a teacher say something that is understood as the program understands it."""
+    dialogue = teacher.dialogue
+    found = meant(dialogue, text, 1.0, dialogue.language)
+    return teacher.hear(*found.acts, text=text, sure=found.confidence)
+
+
+def test_a_guess_at_an_answer_is_asked_about_as_that_answer() -> None:
+    teacher = Lessons().open().hear(acts.Inform(ODD), text=ODD, sure=0.6)
+    assert teacher.topics == ["confirm.did_you_mean.task_name"]
+    assert phrase(teacher.lines[0]) == f'Shall I call the task "{ODD}"?'
+    assert teacher.hear(acts.Affirm()).dialogue.known.name == ODD
+
+
+def test_words_that_nobody_understands_twice_may_be_the_answer() -> None:
+    teacher = Lessons().open().hear(acts.Unknown(), text="gobble").hear(acts.Unknown(), text=ODD)
+    assert teacher.topics == [
+        "error.not_understood_again",
+        "help.task_name",
+        "confirm.take_words",
+    ]
+    assert teacher.hear(acts.Affirm(), text="yes").dialogue.known.name == ODD
+
+
+def test_after_help_a_guess_is_read_back_again() -> None:
+    teacher = Lessons().open()
+    for text in ("gobble", "gabble"):
+        teacher.hear(acts.Unknown(), text=text)
+    teacher.hear(acts.Inform(ODD), text=ODD, sure=0.6)
+    assert teacher.topics == ["confirm.did_you_mean.task_name"]
+
+
+def test_an_answer_is_heard_through_a_guess() -> None:
+    teacher = Lessons().open().hear(acts.Inform(ODD), text=ODD, sure=0.6)
+    below = beneath(teacher.dialogue)
+    assert listening(teacher.dialogue).asked == "did_you_mean"
+    assert below is not None
+    assert below.asked == "task_name"
+    assert beneath(begin()) is None
+    assert said(teacher, "it's called making tea").dialogue.known.name == "making tea"
+
+
+def test_a_vague_answer_to_a_yes_or_no_is_asked_for_plainly() -> None:
+    teacher = Lessons().ready().hear(acts.Quit(), text="bye")
+    teacher.hear(acts.Affirm(), text="well as you like", sure=0.5)
+    assert teacher.topics == ["told.yes_or_no", "ask.unsaved"]
+
+
+def test_a_size_is_taken_however_it_is_said() -> None:
+    for text in ("15 centimetres across and maybe 12 high", "a little cup, 8 cm wide, 9 tall"):
+        teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "target"))
+        assert teacher.asked == "body"
+        assert said(teacher, text).asked == "pose"
+
+
+def test_no_size_is_asked_for_again_and_not_guessed_at() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "target"))
+    assert said(teacher, "oh it is round, like a melon").topics == ["error.size", "ask.body"]
+
+
+def test_who_tells_no_place_is_offered_to_show_it() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "target"))
+    said(said(teacher, "a box, 10 by 10 by 10"), "it's in front of you")
+    assert teacher.topics == ["confirm.place_shown"]
+    assert "teapot" in teacher.hear(acts.Affirm(), text="yes").dialogue.known.unplaced
+
+
+def test_a_list_in_unknown_verbs_is_asked_about_as_steps() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("block", "target"))
+    steps = "twizzle the pot, carry it over, yonk it and set it back"
+    teacher.hear(acts.Unknown(), text=steps, sure=0.6)
+    assert teacher.topics == ["confirm.listed_steps"]
+    teacher.hear(acts.Affirm(), text="yes")
+    names = [part.name for part in teacher.dialogue.known.root.parts]
+    assert names[0] == "twizzle the pot"
+    assert len(names) == 4
