@@ -19,6 +19,7 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
+from assistant.language.topics import STRUCTURE, topical
 from assistant.language.words import Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
@@ -88,7 +89,7 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
         whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
     if whole is not None and whole.score >= LIKELY:
         return settled(whole, hearing.listening)
-    for other in (corrected, compound):
+    for other in (corrected, compound, topical):
         found = other(words, hearing)
         if found is not None and (whole is None or found.score > whole.score):
             whole = found
@@ -103,9 +104,11 @@ def _denied(words: Words, hearing: Hearing) -> Parse | None:
         return None
     parted = denied(words, hearing)
     found = command(parted[1], hearing) if parted else None
-    if found is None or found.score < GUESSED or any(isinstance(a, _NO_MORE) for a in found.acts):
+    if found is None or any(isinstance(a, _NO_MORE) for a in found.acts):
         return None
-    return Parse((Deny(), *found.acts), min(found.score, LIKELY), found.how)
+    if found.score < (LEAST_MENDED if isinstance(found.acts[0], STRUCTURE) else GUESSED):
+        return None
+    return Parse((Deny(), *found.acts), min(found.score, ACTING - 0.01), "denied")
 
 
 _NO_WITH_MORE = _YES_OR_NO | {"satisfied"}

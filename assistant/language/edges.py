@@ -7,6 +7,8 @@ about lifting off.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from assistant.language.frames import Frames, Span
 from assistant.language.words import Words
 
@@ -20,6 +22,19 @@ def widened(run: Span, words: Words, used: set[int], known: Frames) -> Span:
     if start and _led(start, end, words, used, known):
         start -= 1
     return start, end
+
+
+def lone(words: Words, known: Frames) -> Iterator[Span]:
+    """Yield light verbs that stand alone where a name does: "take and carry", "before go"."""
+    small = known.small
+    for at, word in enumerate(words):
+        if word.text not in small("light"):
+            continue
+        after = words[at + 1] if at + 1 < len(words) else None
+        ends = after is None or after.broken or after.text in small("verbs") | small("joints")
+        begins = at == 0 or words[at - 1].text in small("leads")
+        if ends and begins and len(words) > 1:
+            yield at, at + 1
 
 
 def is_particle(at: int, start: int, words: Words, known: Frames) -> bool:

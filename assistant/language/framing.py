@@ -24,6 +24,8 @@ _TRUST = (LIKELY, 0.72, 0.58, 0.42)
 _NAMING = ("save", "load", "compare", "rename", "add_subtask")
 _TOLD = frozenset(("ordered", "rename", "add_subtask", "remove_subtask", "merge", "split"))
 _ASIDE, _ASIDE_WORD, _MORE = 0.02, 0.012, 0.06
+_ODD = 0.7
+"""Of sentences whose names hold words that no name holds."""
 
 
 def framed(words: Words, hearing: Hearing) -> Parse | None:
@@ -68,7 +70,8 @@ def framed_as(act: str, words: Words, hearing: Hearing) -> Parse | None:
         told = next((best_sentence(bare, hearing) for bare in bared(part, hearing.book)), None)
         if told is None or [act_name(one) for one in told.acts] != [act]:
             continue
-        worth = told.score - left_out + _MORE * _names_in(told.acts[0])
+        odd = _MORE if told.score <= _ODD else 0.0
+        worth = told.score - left_out - odd + _MORE * _names_in(told.acts[0])
         if best is None or worth > best.score:
             best = Parse(told.acts, worth, told.how)
     if best is None:

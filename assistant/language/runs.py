@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
-from assistant.language.edges import is_particle, widened
+from assistant.language.edges import is_particle, lone, widened
 from assistant.language.frames import Frames, Span, Spans, frames, places
 from assistant.language.naming import known_name
 from assistant.language.parsing import Hearing, texts_of
@@ -41,7 +41,8 @@ class Runs:
             return cls((), ())
         asking = places(("what", "why", "no"), spans)
         found: list[Span] = []
-        for run in _stretches(words, used, blank, known):
+        stretches = (*_stretches(words, used, blank, known), *_lone(words, used, known))
+        for run in sorted(stretches):
             trimmed = run if whole else widened(_trimmed(run, words, known), words, used, known)
             if {word.text for word in words[slice(*trimmed)]} <= known.little["nobody"]:
                 continue
@@ -86,6 +87,10 @@ class Runs:
         return replace(
             self, found=tuple(one for one, _ in kept), likeness=tuple(like for _, like in kept)
         )
+
+
+def _lone(words: Words, used: set[int], known: Frames) -> Iterator[Span]:
+    return (span for span in lone(words, known) if span[0] not in used)
 
 
 def _stretches(words: Words, used: set[int], blank: set[int], known: Frames) -> Iterator[Span]:
