@@ -12,16 +12,20 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array, relative
+from assistant.geometry import IDENTITY, Array, compose, inverse, relative
 from assistant.model.conditions import Condition
 from assistant.model.lesson import Station
 from assistant.model.motion import Indices
+from assistant.model.placing import BESIDE_M, in_line, is_above
+from assistant.model.scene import Body, Scene
 from assistant.model.task import Primitive
 
 Conditions = Mapping[str, tuple[Condition, ...]]
 
-_ALIGNED_M, _ALIGNED_RAD = 0.005, np.deg2rad(3.0)
-_ABOVE_M, _BESIDE_M = 0.01, 0.03
+_ENDING = 2
+"""A primitive that ends so many samples before a docking pose ends there."""
+_BESIDE_M = BESIDE_M / 2.0
+"""A demonstration that ends this far beside a place is well within what counts as above it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +49,7 @@ def inferred(
     path: Array,
     primitive_at: Indices,
     stations: Sequence[Station],
+    scene: Scene | None = None,
 ) -> Inferred:
     """Return the conditions that held before and after each primitive shown.
 
@@ -54,6 +59,8 @@ def inferred(
     path : array, shape (n, 7)
     primitive_at : array of int, shape (n,)
     stations : sequence of Station
+    scene : Scene, optional
+        Tells how large what was let go is.
     """
     before: dict[str, tuple[Condition, ...]] = {}
     until: dict[str, tuple[Condition, ...]] = {}
@@ -68,10 +75,10 @@ def inferred(
         cleared = _cleared(stations, samples, acted)
         until[name] = (
             *(_after(one) for one in acted),
-            *(_aligned(one) for one in acted if _is_aligned(one)),
+            *(_aligned(one) for one in acted if _is_aligned(one, stations, scene or Scene())),
             *docked,
             *cleared,
-            *(() if acted or docked else _above(stations, path, samples, held)),
+            *(() if acted or docked else _above(stations, path, primitive_at, samples, held)),
         )
         if acted or docked or cleared:
             changing.add(name)
@@ -96,10 +103,17 @@ def _after(station: Station) -> Condition:
     return Condition("docked", station.frame)
 
 
-def _is_aligned(station: Station) -> bool:
-    away = float(np.linalg.norm(station.hand_in_frame[:2]))
-    turn = 2.0 * float(np.arccos(min(abs(float(station.hand_in_frame[6])), 1.0)))
-    return station.kind == "release" and away < _ALIGNED_M and turn < _ALIGNED_RAD
+def _is_aligned(station: Station, stations: Sequence[Station], scene: Scene) -> bool:
+    """Return whether what was let go lay in line, by the measure practice is judged by."""
+    if station.kind != "release":
+        return False
+    grasps = [s for s in stations if (s.kind, s.object) == ("grasp", station.object)]
+    before = [s.hand_in_frame for s in grasps if s.at < station.at]
+    # How it sat in the hand when it was grasped is how it was let go.
+    moved = compose(station.hand_in_frame, inverse(before[-1] if before else IDENTITY))
+    body = scene.bodies.get(station.object, Body(station.object))
+    place = inverse(body.hand_in_body)
+    return in_line(body, compose(moved, place), place, station.frame)
 
 
 def _aligned(station: Station) -> Condition:
@@ -114,7 +128,7 @@ def _docked(
     return tuple(
         Condition("docked", one.frame)
         for one in stations
-        if one not in acted and one.docking_at - 2 <= end <= one.at
+        if one not in acted and one.docking_at - _ENDING <= end <= one.at
     )
 
 
@@ -132,12 +146,26 @@ def _cleared(
 
 
 def _above(
-    stations: Sequence[Station], path: Array, samples: Indices, held: str
+    stations: Sequence[Station],
+    path: Array,
+    primitive_at: Indices,
+    samples: Indices,
+    held: str,
 ) -> tuple[Condition, ...]:
-    later = [one for one in stations if one.at > samples[-1] and one.kind == "release"]
+    """Return that what is held is above its place, if that is where the primitive ends.
+
+    A demonstration that merely passed by is told from it by what follows: the next primitive
+    leads down to the place, and nowhere beside it.
+    """
+    end = int(samples[-1])
+    later = [one for one in stations if one.at > end and one.kind == "release"]
     if not held or not later:
         return ()
-    seen = relative(later[0].frame_to_world, path[int(samples[-1])])
-    gap = seen[:3] - later[0].hand_in_frame[:3]
-    over = gap[2] > _ABOVE_M and float(np.hypot(gap[0], gap[1])) < _BESIDE_M
+    docking = later[0].docking_at
+    if len(set(primitive_at[end + 1 : docking + 1 - _ENDING].tolist())) > 1:
+        return ()
+    seen = relative(later[0].frame_to_world, path[end : docking + 1])
+    gap = seen[:, :3] - later[0].hand_in_frame[:3]
+    beside = np.hypot(gap[:, 0], gap[:, 1])
+    over = bool(np.all(is_above(gap)) and np.all(beside < _BESIDE_M))
     return (Condition("above", held, later[0].frame),) if over else ()

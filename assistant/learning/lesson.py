@@ -144,7 +144,7 @@ def _generalized(
     position = primitive_at(even.shown_s, lesson.segmentation.episodes, names)
     path, stations = _docked(context, lesson.segmentation, even, seen)
     _while_acting(position, stations, names, even.t_s, context.given.dwell_s)
-    states = inferred(leaves, path, position, stations)
+    states = inferred(leaves, path, position, stations, context.scene)
     return replace(
         lesson,
         segmentation=_with_questions(context.task, lesson.segmentation, states, names, position),

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from assistant.geometry import (
     IDENTITY,
@@ -26,6 +27,8 @@ ON_GAP_M = 0.004
 ON_TILT_RAD = np.deg2rad(5.0)
 ALIGNED_MM, ALIGNED_DEG = 1.0, 1.0
 """Corners and edges this close to their places are in line, as the paper's worst are."""
+ABOVE_M, BESIDE_M = 0.005, 0.030
+"""Above begins that high over a place, and ends that far beside it."""
 
 
 def told_bodies(scene: Scene, setup: Setup) -> dict[str, Array]:
@@ -105,6 +108,18 @@ def in_line(body: Body, pose: Array, place: Array, target: str) -> bool:
     """Return whether corners and edges are as close to their places as the paper's worst."""
     found = alignment(body, pose, place, target)
     return found.distance_mm <= ALIGNED_MM and found.angle_deg <= ALIGNED_DEG
+
+
+def is_above(gap: Array) -> NDArray[np.bool_]:
+    """Return whether an object is above its place.
+
+    Parameters
+    ----------
+    gap : array, shape (..., 3)
+        From the place to the object, in the place's frame, in m.
+    """
+    beside = np.hypot(gap[..., 0], gap[..., 1])
+    return np.asarray((gap[..., 2] > ABOVE_M) & (beside < BESIDE_M))
 
 
 def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) -> bool:

@@ -23,7 +23,7 @@ from assistant.geometry import (
 )
 from assistant.model.conditions import Condition
 from assistant.model.motion import HandPath, HandStop
-from assistant.model.placing import alignment, in_line, place_of, place_on, rests_on
+from assistant.model.placing import in_line, is_above, place_of, place_on, rests_on
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task, primitives
@@ -37,11 +37,8 @@ DOCKED_M, DOCKED_RAD = 0.010, float(np.deg2rad(5.0))
 """A hand this close to a docking stretch is docked: a correction by sensor moves it a little."""
 TRAVEL_M = 0.005
 """A path whose opening changes by less does not tell how far open is."""
-ABOVE_M, BESIDE_M = 0.005, 0.060
-"""Above begins that high over a place, and ends that far beside it."""
-SHOWN_MM, SHOWN_DEG = 15.0, 4.0
-"""A teacher at the keys lets a body go some millimetres beside its place. What learning took for
-in line is so again if it lies where it was shown, and that is this close to the place itself."""
+ENDING = 2
+"""A primitive that ends so many samples before a docking pose ends there."""
 AWAY_M = 0.03
 """A hand this far from where it would grasp a body is clear of it."""
 
@@ -89,20 +86,24 @@ class Unmet:
 def expectations(task: Task) -> Expected:
     """Return the conditions of all primitives of a task that are to hold.
 
-    They are told, learned or implied. That something was above a target on a free way is only
-    demanded where the teacher told it: a moved setup bends the free way that was shown.
+    They are told, learned or implied.
     """
-    leaves = primitives(task.tree)
-    return tuple(
-        (_demanded(before, leaf.before), _demanded(until, leaf.until))
-        for leaf, (before, until) in zip(
-            leaves, (conditions_of(task, leaf) for leaf in leaves), strict=True
-        )
+    return tuple(conditions_of(task, leaf) for leaf in primitives(task.tree))
+
+
+def still_to_come(unmet: Unmet, next_at: int, path: HandPath) -> bool:
+    """Return whether a condition comes true early in the next primitive, if all is as planned.
+
+    A moved setup bends the free way that was shown, so that what is carried may be beside its
+    place yet where the demonstration had it above. The way down to the place begins above it:
+    the primitive then lasts until there.
+    """
+    about = ("release", unmet.condition.object, unmet.condition.target)
+    ends = [s.docking_at for s in path.stops if (s.kind, s.object, s.frame) == about]
+    # A step that ends docked may end a sample before.
+    return unmet.condition.kind == "above" and any(
+        next_at in path.primitive_at[max(end - ENDING, 0) : end + 1] for end in ends
     )
-
-
-def _demanded(found: Conditions, told: Conditions) -> Conditions:
-    return tuple(one for one in found if one.kind != "above" or one in told)
 
 
 def first_unmet(
@@ -197,8 +198,7 @@ def _above(name: str, target: str, around: Surroundings, look: ArmLook) -> bool:
     place = _place(name, target, around, look)
     if place is None:
         return False
-    gap = relative(place, look.bodies[name])[:3]
-    return bool(gap[2] > ABOVE_M and np.hypot(gap[0], gap[1]) < BESIDE_M)
+    return bool(is_above(relative(place, look.bodies[name])[:3]))
 
 
 def _rests(
@@ -212,12 +212,11 @@ def _rests(
         return False
     if not in_line_too or in_line(body, pose, place, target):
         return True
+    # What was shown just in line is so again if it lies where it was shown.
     shown = _shown(body, target, around)
-    if shown is None:
+    if shown is None or not in_line(body, shown, place, target):
         return False
-    meant = alignment(body, shown, place, target)
-    near = meant.distance_mm <= SHOWN_MM and meant.angle_deg <= SHOWN_DEG
-    return near and in_line(body, pose, shown, target)
+    return in_line(body, pose, shown, target)
 
 
 def _shown(body: Body, target: str, around: Surroundings) -> Array | None:

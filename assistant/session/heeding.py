@@ -11,7 +11,14 @@ from dataclasses import replace
 
 from assistant.model.motion import ArmReport
 from assistant.ports import Arm
-from assistant.session.conditions import Expected, Surroundings, Unmet, When, first_unmet
+from assistant.session.conditions import (
+    Expected,
+    Surroundings,
+    Unmet,
+    When,
+    first_unmet,
+    still_to_come,
+)
 
 UNMET = "unmet"
 """Why the arm is stopped."""
@@ -36,6 +43,7 @@ class Heeding:
     ) -> None:
         self._arm, self._conditions, self._around = arm, conditions, around
         self._unmet: Unmet | None = None
+        self._next: ArmReport | None = None
         self.done = done
 
     def tick(self) -> tuple[ArmReport, ...]:
@@ -43,11 +51,14 @@ class Heeding:
 
         The first report of an unmet condition follows when the arm has come to rest.
         """
-        return tuple(told for report in self._arm.tick() for told in self._heeded(report))
+        told = tuple(told for report in self._arm.tick() for told in self._heeded(report))
+        return (*told, *self._looked_again())
 
     def _heeded(self, report: ArmReport) -> tuple[ArmReport, ...]:
         if self._unmet is not None:
             return self._braking(report, self._unmet)
+        if self._next is not None and (report.text == "docked" or report.kind == "finished"):
+            return (*self._crossed(self._next, last=True), *self._heeded(report))
         if report.kind == "primitive" and report.primitive_at != self.done:
             return self._crossed(report)
         if report.kind == "finished" and (unmet := self._missed(self.done, "until")):
@@ -55,8 +66,18 @@ class Heeding:
             return (_told(report, unmet),)
         return (report,)
 
-    def _crossed(self, report: ArmReport) -> tuple[ArmReport, ...]:
+    def _looked_again(self) -> tuple[ArmReport, ...]:
+        """Begin the next primitive, once the one before has ended as it is to end."""
+        if self._next is None or self._unmet or self._missed(self.done, "until"):
+            return ()
+        return self._crossed(self._next)
+
+    def _crossed(self, report: ArmReport, *, last: bool = False) -> tuple[ArmReport, ...]:
+        self._next = None
         if unmet := self._missed(self.done, "until"):
+            if not last and still_to_come(unmet, report.primitive_at, self._around.path):
+                self._next = report
+                return ()
             # The next primitive does not begin.
             self._stop(unmet)
             return ()

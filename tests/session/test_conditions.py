@@ -12,11 +12,18 @@ from hypothesis import strategies as st
 from assistant.geometry import IDENTITY, Array, compose, pose_from_mm_deg
 from assistant.model.conditions import CONDITIONS, Condition, ConditionKind
 from assistant.model.motion import HandPath, HandStop
+from assistant.model.placing import BESIDE_M
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
 from assistant.ports import ArmLook
-from assistant.session.conditions import Surroundings, expectations, first_unmet, holds
-from tests.session.test_heeding import told
+from assistant.session.conditions import (
+    Surroundings,
+    Unmet,
+    expectations,
+    first_unmet,
+    holds,
+    still_to_come,
+)
 from tests.session.test_practice import learned
 
 BLOCK = Body("block")
@@ -145,18 +152,37 @@ def test_a_corrected_place_is_where_things_belong(x_m: float, y_m: float) -> Non
     assert holds(Condition("aligned", "block", "target"), around, look(moved, block=moved))
 
 
-@pytest.mark.parametrize(("shown_mm", "held"), [(4.0, True), (40.0, False)])
-def test_in_line_is_as_shown_if_that_was_near(shown_mm: float, held: bool) -> None:
-    """A demonstration by keys ends some millimetres beside; its repetition is no fault."""
-    beside = compose(RELEASE, pose_from_mm_deg((0.0, shown_mm, 0.0), (0.0, 0.0, 0.0)))
+@pytest.mark.parametrize(
+    ("shown", "held"),
+    [((0.9, 0.0), True), ((4.0, 0.0), False), ((0.0, 3.0), False)],
+)
+def test_in_line_is_as_shown_only_if_that_was_in_line(
+    shown: tuple[float, float], held: bool
+) -> None:
+    """What lies as it was shown, but was not shown in line, is not called so."""
+    beside = compose(RELEASE, pose_from_mm_deg((0.0, shown[0], 0.0), (0.0, 0.0, shown[1])))
     path = np.array(AROUND.path.path)
     path[6] = beside
     around = replace(AROUND, path=replace(AROUND.path, path=path))
     aligned = Condition("aligned", "block", "target")
-    assert holds(aligned, around, look(beside, block=beside)) == held
+    again = compose(beside, pose_from_mm_deg((0.0, 0.5, 0.0), (0.0, 0.0, 0.0)))
+    assert holds(aligned, around, look(again, block=again)) == held
     slipped = compose(beside, pose_from_mm_deg((0.0, 2.0, 0.0), (0.0, 0.0, 0.0)))
     assert not holds(aligned, around, look(beside, block=slipped))
     assert holds(aligned, around, look(beside, block=RELEASE))
+
+
+@given(st.floats(0.0, 0.2), st.floats(0.0, 2.0 * np.pi))
+def test_above_ends_three_centimeters_beside(away_m: float, heading: float) -> None:
+    aside = (away_m * np.cos(heading), away_m * np.sin(heading), 0.1)
+    place = AROUND.scene.body_pose("target", SETUP.places["target"])
+    seen = replace(look(CARRIED, 0.04, "block"), bodies={"block": _over(place, aside)})
+    held = holds(Condition("above", "block", "target"), AROUND, seen)
+    assert held == (away_m < BESIDE_M) or abs(away_m - BESIDE_M) < 1e-9
+
+
+def _over(place: Array, by_m: tuple[float, float, float]) -> Array:
+    return np.array([*(place[:3] + np.array(by_m)), *place[3:]])
 
 
 def test_the_opening_of_a_path_that_never_closes_is_judged_by_the_hand() -> None:
@@ -179,15 +205,29 @@ def test_the_first_unmet_condition_is_told_with_what_is_found_instead() -> None:
     assert first_unmet(conditions, 0, "until", AROUND, look(FAR, 0.01)) is None
 
 
-def test_what_was_seen_above_on_a_free_way_is_demanded_only_if_told() -> None:
+def test_what_is_announced_is_what_is_demanded() -> None:
     above = (Condition("above", "block", "target"),)
     task = learned("pick_and_place")
     assert task.learned is not None
-    name = "move up object"
-    until = {**task.learned.until, name: above}
+    until = {**task.learned.until, "move up object": above}
     seen = replace(task, learned=replace(task.learned, until=until))
-    assert expectations(seen)[2][1] == ()
-    assert expectations(told(seen, name, until="above block target"))[2][1] == above
+    assert expectations(seen)[2][1] == above
+
+
+@pytest.mark.parametrize(
+    ("condition", "next_at", "comes"),
+    [
+        (Condition("above", "block", "target"), 3, True),
+        (Condition("above", "block", "target"), 1, False),
+        (Condition("above", "block", "cup"), 3, False),
+        (Condition("held", "block"), 3, False),
+    ],
+)
+def test_only_what_the_next_step_begins_with_may_still_come(
+    condition: Condition, next_at: int, comes: bool
+) -> None:
+    path = replace(AROUND.path, primitive_at=np.array([0, 1, 2, 3, 3, 3, 4, 4]))
+    assert still_to_come(Unmet(condition, 2, "until"), next_at, path) == comes
 
 
 def test_on_a_body_that_was_moved_is_where_that_body_is() -> None:

@@ -12,6 +12,7 @@ from assistant.files.scenes import find_scene
 from assistant.files.setups import read_setups
 from assistant.files.tasks import write_task
 from assistant.model.conditions import CONDITIONS, Condition
+from assistant.model.motion import ArmReport
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Primitive, Subtask, Task
@@ -115,6 +116,31 @@ def test_a_step_that_did_not_end_as_told_is_not_followed_by_the_next() -> None:
     begun = [report.primitive_at for report in result.reports if report.kind == "primitive"]
     assert begun[-1] == 2
     assert result.reports[-1].primitive_at == 2
+
+
+def test_a_step_that_ends_above_the_target_lasts_until_it_is_there() -> None:
+    plain = practiced(learned("pick_and_place"))
+    task = told(learned("pick_and_place"), "move up object", until="above block target")
+    result = practiced(task)
+    assert result.status == "done", result.reason
+    begun = {told.primitive_at: k for k, told in enumerate(result.reports) if _begins(told)}
+    # It is told before the hand docks, as ever, but later than a free way would have ended.
+    docked = [told.object for told in result.reports if told.text == "docked"]
+    assert docked == ["block", "target"]
+    assert result.reports[begun[3] + 1].object == "target"
+    assert [t.primitive_at for t in plain.reports if _begins(t)] == list(begun)
+
+
+def test_a_step_that_cannot_end_above_the_target_halts_at_once() -> None:
+    result = practiced(told(learned("pick_and_place"), GRASP, until="above block target"))
+    assert result.status == "missed"
+    assert "but the block is not above the target" in result.reason
+    begun = [report.primitive_at for report in result.reports if _begins(report)]
+    assert begun[-1] == 1
+
+
+def _begins(report: ArmReport) -> bool:
+    return report.kind == "primitive"
 
 
 def test_the_last_step_is_judged_too_and_what_was_placed_is_measured() -> None:
