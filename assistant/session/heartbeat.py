@@ -6,6 +6,8 @@ the arm's tick, which runs beside it, looks whether it still does (design, safet
 
 from __future__ import annotations
 
+import math
+
 from assistant.model.settings import SafetySettings
 from assistant.ports import Clock
 
@@ -24,7 +26,9 @@ class Heartbeat:
 
     def __init__(self, clock: Clock, within_s: float = SAFETY.heartbeat_s) -> None:
         self._clock, self._within_s = clock, within_s
-        self._last_s = self._looked_s = clock.now_s()
+        self._last_s = clock.now_s()
+        # However long a program takes to begin, nothing moved meanwhile.
+        self._looked_s = -math.inf
         self._missed: tuple[float, float] | None = None
 
     def beat(self) -> None:

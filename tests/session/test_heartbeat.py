@@ -53,6 +53,14 @@ def test_a_heart_is_alive_for_as_long_as_it_says(clock: HandClock) -> None:
     assert heart.alive()
 
 
+def test_a_program_that_was_slow_to_begin_is_not_lost(clock: HandClock) -> None:
+    heart = Heartbeat(clock)
+    clock.pass_s(5.0)
+    heart.beat()
+    clock.pass_s(0.1)
+    assert heart.alive()
+
+
 def test_a_heart_that_was_away_while_it_was_watched_was_lost(clock: HandClock) -> None:
     heart = Heartbeat(clock)
     assert heart.alive()
