@@ -20,7 +20,7 @@ from assistant.dialogue.correcting import (
     summed,
     too_much,
 )
-from assistant.dialogue.directions import depends_on_facing, direction_of
+from assistant.dialogue.directions import depends_on_facing, direction_of, squeezed
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.finding import find_whole, name_at, unclear
 from assistant.dialogue.state import (
@@ -188,6 +188,7 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
     topic: str = feedback.kind
     if topic in ("translate", "rotate"):
         slots["direction"] = direction_of(known, feedback)
+        slots["squeezed"] = squeezed(known, feedback)
     if topic == "speed":
         topic = "faster" if feedback.factor > 1 else "slower"
         topic = f"{topic}_at" if primitive else topic

@@ -18,6 +18,12 @@ from assistant.model.task import primitives
 
 Triple = tuple[float, float, float]
 
+CLOSING: Triple = (0.0, 1.0, 0.0)
+UPRIGHT: Triple = (0.0, 0.0, 1.0)
+"""Axes of the hand: the fingers close along the first, and meet flat about the second."""
+NOTICED = 0.2
+"""A smaller share of a correction is not worth a word."""
+
 _MOVES: dict[str, Triple] = {
     "left": (0.0, 1.0, 0.0),
     "right": (0.0, -1.0, 0.0),
@@ -95,6 +101,22 @@ def station_of(known: Knowledge, primitive: str) -> Station | None:
     at = order.index(primitive)
     later = (one for one in lesson.stations if _position(order, one.primitive) >= at)
     return next(later, lesson.stations[-1])
+
+
+def squeezed(known: Knowledge, feedback: Feedback) -> float | None:
+    """Return how much of a correction closing fingers take away, in mm or deg; None if little.
+
+    Both fingers close as one and lie flat on what they grasp: it comes to the middle between
+    them, and is turned along them, wherever the hand was brought.
+    """
+    station = station_of(known, feedback.primitive)
+    if station is None or station.kind != "grasp" or feedback.frame != station.frame:
+        return None
+    moves = feedback.kind == "translate"
+    told = 1000.0 * np.array(feedback.offset_m) if moves else np.rad2deg(feedback.turn_rad)
+    axis = rotate_vector(station.hand_in_frame[3:], np.array(CLOSING if moves else UPRIGHT))
+    lost = abs(float(told @ axis))
+    return round(lost, 1) if lost > NOTICED * float(np.linalg.norm(told)) else None
 
 
 def _position(order: list[str], name: str) -> int:

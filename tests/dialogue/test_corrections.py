@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -34,6 +35,30 @@ def last(teacher: Lessons) -> Feedback:
     lesson = teacher.dialogue.known.lesson
     assert lesson is not None
     return lesson.feedback[-1]
+
+
+@pytest.mark.parametrize(
+    ("act", "lost"),
+    [
+        (acts.Translate("left"), 5.0),
+        (acts.Translate("up"), None),
+        (acts.Translate("forward"), None),
+        (acts.Rotate("left"), 3.0),
+        (acts.Rotate("up"), None),
+    ],
+)
+def test_what_closing_fingers_take_away_is_told_with_the_correction(
+    act: acts.Translate | acts.Rotate, lost: float | None
+) -> None:
+    where = acts.Where("grasp object", "during")
+    teacher = corrected(replace(act, where=where))
+    (told,) = (one for one in teacher.lines if one.act == "done")
+    assert told.slots.get("squeezed") == lost
+    for language in ("english", "german"):
+        assert ("finger" in phrase(told, language).lower()) == (lost is not None)
+    # Where it is let go, the hand takes along what it holds.
+    placed = corrected(replace(act, where=acts.Where("place object on target", "during")))
+    assert not any(one.slots.get("squeezed") for one in placed.lines)
 
 
 def world(teacher: Lessons, feedback: Feedback) -> Any:
