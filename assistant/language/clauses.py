@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from assistant.language.amounts import read_amount
+from assistant.language.cues import counted_cue, surer
 from assistant.language.frames import frames
 from assistant.language.framing import framed
 from assistant.language.kept import kept
@@ -60,7 +61,8 @@ from assistant.model.teacher_acts import (
 def clause(words: Words, hearing: Hearing) -> Parse | None:
     """Return what a clause means as a whole; None if nothing explains it."""
     if words not in hearing.clauses:
-        hearing.clauses[words] = _clause(words, hearing)
+        found = _clause(words, hearing)
+        hearing.clauses[words] = surer(found, counted_cue(words, hearing))
     return hearing.clauses[words]
 
 

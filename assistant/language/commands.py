@@ -19,20 +19,26 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
-from assistant.language.topics import STRUCTURE, topical
+from assistant.language.topics import topical
 from assistant.language.words import Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
+    AddSubtask,
     AdjustLast,
     Affirm,
     Again,
     Approve,
+    Assign,
     Deny,
+    Merge,
+    MoveCut,
     NewSetup,
     Optional,
+    Rename,
     RepeatLine,
     Resume,
     Save,
+    Split,
     Start,
     Stop,
     TeacherAct,
@@ -55,7 +61,8 @@ def plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse |
         return parse
     if len(words) > 1 and not words[1].broken:
         return parse
-    if parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion"):
+    told = parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion")
+    if told or (parse is not None and parse.how == "denied"):
         return parse
     return Parse((Affirm() if first in hearing.book.yes else Deny(),), ACTING, "plain")
 
@@ -106,11 +113,16 @@ def _denied(words: Words, hearing: Hearing) -> Parse | None:
     found = command(parted[1], hearing) if parted else None
     if found is None or any(isinstance(a, _NO_MORE) for a in found.acts):
         return None
-    if found.score < (LEAST_MENDED if isinstance(found.acts[0], STRUCTURE) else GUESSED):
+    if found.score < (LEAST_MENDED if isinstance(found.acts[0], _SURELY_MORE) else GUESSED):
+        return None
+    runs = hearing.listening.asked in ("satisfied", "did_you_mean")
+    if not runs and isinstance(found.acts[0], Again | Start | Resume):
         return None
     return Parse((Deny(), *found.acts), min(found.score, ACTING - 0.01), "denied")
 
 
+_SURELY_MORE = (AddSubtask, Assign, Merge, MoveCut, Rename, Split)
+"""What nobody says by chance behind a no: told by several words, names among them."""
 _NO_WITH_MORE = _YES_OR_NO | {"satisfied"}
 _NO_MORE = (Deny, Affirm, Unknown, Stop, Undo, RepeatLine, AdjustLast, Save, Approve)
 

@@ -97,16 +97,18 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
     if set(texts_of(words)) & hearing.book.chat:
         return _beside_chat(words, hearing)
     found: list[TeacherAct] = []
+    best: Parse | None = None
     missed = 0
     for start, end in pairwise((0, *cuts, len(words))):
         part = words[start + (words[start].text in _PARTING) : end]
         parse = clause(part, hearing) if part else None
         if parse is not None and parse.score >= 0.78 and not isinstance(parse.acts[0], _IDLE):
             found.extend(parse.acts)
+            best = parse if best is None or parse.score >= best.score else best
         missed += parse is None or parse.score < ACTING
     acts = tuple(dict.fromkeys(found))
     if len(acts) > 1 and not all(isinstance(act, CORRECTIONS) for act in acts):
-        acts = acts[-1:]
+        acts = best.acts if best is not None and best.score >= SURE - 0.01 else acts[-1:]
     if not acts or (missed > 3 and not _asked_for(words)):
         return None
     return Parse(acts, 0.75 if missed else 0.86, "partly")

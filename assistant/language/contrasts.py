@@ -5,7 +5,7 @@ from __future__ import annotations
 from assistant.language.clauses import clause
 from assistant.language.mending import without_marks
 from assistant.language.merging import CORRECTIONS
-from assistant.language.parsing import DOUBTFUL, GUESSED, Hearing, Parse, texts_of
+from assistant.language.parsing import GUESSED, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase
 from assistant.language.tags import tags_of
 from assistant.language.words import Words
@@ -123,8 +123,9 @@ _LONGEST_NO = 8
 def _denies(words: Words, hearing: Hearing, *, restated: bool) -> bool:
     """Tell a clause that says no, alone or among words that say nothing."""
     texts, book = texts_of(words), hearing.book
-    little = book.no | book.empty | {"not"}
-    if set(texts) & book.no and all(text in little for text in texts):
+    refusing = book.no | book.refusing
+    little = refusing | book.empty | {"not"}
+    if set(texts) & refusing and all(text in little for text in texts):
         return True
     tags = tags_of(texts, book, hearing.names)
     if any(tag.kind in kinds for tag in tags for kinds in GROUPS.values()):
@@ -132,4 +133,4 @@ def _denies(words: Words, hearing: Hearing, *, restated: bool) -> bool:
     if restated and "not" in texts:
         return True
     parse = clause(words, hearing)
-    return parse is not None and parse.score >= DOUBTFUL and parse.acts == (Deny(),)
+    return parse is not None and parse.acts == (Deny(),)

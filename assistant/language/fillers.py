@@ -10,6 +10,7 @@ from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import Asked
 
 _LONGEST = 7
+_OWNING = frozenset(("the", "my", "our", "your", "his", "her", "a", "an"))
 _GREETING = frozenset(
     ("hello", "hi", "hey", "right", "ok", "okay", "well", "now", "so", "oh", "hallo", "na")
 )
@@ -89,7 +90,8 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
             if greeted and len(words) > size + 1 and words[size + 1].broken:
                 words, changed = words[size + 1 :], True
                 break
-            if tail in known and set_off:
+            owned = words[-size - 1].text in _OWNING
+            if tail in known and set_off and not owned:
                 words, changed = words[:-size], True
                 break
     return words

@@ -23,7 +23,9 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
     marks, kept = hearing.book.correction, hearing.book.not_taken_back
     for at in range(len(words) - 1, 0, -1):
         phrase = next((one for one in marks if texts[at : at + len(one)] == one), None)
-        if phrase is None or any(texts[at : at + len(one)] == one for one in kept):
+        if phrase is None or words[at - 1].text in _OWNING:
+            continue
+        if any(texts[at : at + len(one)] == one for one in kept):
             continue
         at_end = at + len(phrase) == len(words)
         between = not at_end and _alike(words[at - 1], words[at + len(phrase)], hearing)
@@ -42,6 +44,8 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
             yield from _replaced(before[:cut], before[cut:], hearing)
 
 
+_OWNING = frozenset(("the", "that", "this", "my", "your", "last", "a"))
+"""Before a mark they make a noun of it: "reduce that last correction"."""
 _TAGS = frozenset((("no",), ("right",)))
 """Behind a single clause they ask for consent: "go a bit up, no"."""
 

@@ -23,7 +23,11 @@ class Parse:
 
     @property
     def exact(self) -> bool:
-        """Whether it is one sentence of the phrasebook with nothing free in it."""
+        """Whether it is one whole sentence of the phrasebook, or a no with what is wanted."""
+        return self.how == "denied" or self._whole
+
+    @property
+    def _whole(self) -> bool:
         return self.how == "sentence" and len(self.acts) == 1 and self.score >= SURE
 
 

@@ -82,6 +82,8 @@ class Phrasebook:
     amounts: Mapping[str, tuple[tuple[Phrase, str], ...]]
     keeping: Mapping[str, tuple[Phrase, ...]]
     keeping_words: frozenset[str]
+    cueing: Mapping[str, frozenset[str]]
+    refusing: frozenset[str]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
@@ -169,6 +171,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         amounts=_amounts(book.get("amounts", {})),
         keeping={name: longest_first(told) for name, told in book.get("keeping", {}).items()},
         keeping_words=frozenset(phrase_words(phrases(",".join(book.get("keeping", {}).values())))),
+        cueing={name: frozenset(told.split()) for name, told in book.get("cueing", {}).items()},
+        refusing=frozenset(book.get("refusing", "").split()),
         chat=frozenset(phrase[0] for phrase in phrases(book["chat"]) if len(phrase) == 1),
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from assistant.language.cues import counted_cue, surer
 from assistant.language.edges import is_cut_short
 from assistant.language.frames import frames
 from assistant.language.naming import known_name, without_article
@@ -12,7 +13,7 @@ from assistant.language.phrasebook import Phrase, Sentence
 from assistant.language.templates import Bound, matches
 from assistant.language.words import Word, Words, said
 from assistant.model.listening import Listening
-from assistant.model.teacher_acts import ACTS, TeacherAct
+from assistant.model.teacher_acts import ACTS, Cue, TeacherAct
 
 LONGEST_NAME = 7
 _NOBODY = frozenset(
@@ -26,6 +27,8 @@ _NO_NAMES = (
     "that ",
     "named ",
     "called ",
+    "entitled ",
+    "titled ",
     "between ",
     "at the ",
     "after ",
@@ -46,7 +49,10 @@ _STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
 def best_sentence(words: Words, hearing: Hearing) -> Parse | None:
     """Return the act of the phrasebook's best matching sentence."""
     if words not in hearing.sentences:
-        hearing.sentences[words] = _best_sentence(words, hearing)
+        found = _best_sentence(words, hearing)
+        cued = found is not None and isinstance(found.acts[0], Cue)
+        counted = counted_cue(words, hearing) if cued else None
+        hearing.sentences[words] = surer(found, counted)
     return hearing.sentences[words]
 
 

@@ -23,6 +23,7 @@ def read_shift(words: Sequence[str], listening: Listening, book: Phrasebook) -> 
     """Return by how much a body is told to stand elsewhere; None if nothing of the kind."""
     if "pose_shifted" not in book.answer_words or len(words) < _FEWEST:
         return None
+    words = _parted(words)
     told = _told(book, "shifted") | _told(book, "resting")
     scene = bool(_told(book, "scene") & set(words))
     if not told & set(words) and not scene:
@@ -40,6 +41,14 @@ def read_shift(words: Sequence[str], listening: Listening, book: Phrasebook) -> 
 
 
 _FEWEST = 4
+
+
+def _parted(words: Sequence[str]) -> Sequence[str]:
+    """Return the words with "plate's" near the front as "plate is"."""
+    at = next((at for at, word in enumerate(words[:LONGEST_BODY]) if word.endswith("'s")), -1)
+    if at < 0:
+        return words
+    return (*words[:at], words[at].removesuffix("'s"), "is", *words[at + 1 :])
 
 
 def _told(book: Phrasebook, name: str) -> frozenset[str]:
@@ -84,7 +93,6 @@ def _body(words: Sequence[str], book: Phrasebook) -> Phrase | None:
         name = name[:-1]
     if not 0 < len(name) <= LONGEST_BODY or set(name) & _told(book, "own"):
         return None
-    name = (*name[:-1], name[-1].removesuffix("'s"))
     moving = any(book.motion.get((word,), "") in WAYS for word in name[-1:])
     counted = any(book.numbers.number(name, at) for at in range(len(name)))
     return None if moving or counted or set(name) & book.impure else name
