@@ -71,6 +71,8 @@ def _led_to(words: Words, known: Frames) -> Iterator[Words]:
     for at in range(2, min(len(words) - 2, 12)):
         if texts[at] == "that" and set(texts[:at]) & leading:
             yield words[at + 1 :]
+        if words[at].broken and texts[at] in known.small("requests"):
+            yield words[at:]
 
 
 def _put_in(words: Words, known: Frames, hearing: Hearing) -> Iterator[Words]:
@@ -82,8 +84,16 @@ def _put_in(words: Words, known: Frames, hearing: Hearing) -> Iterator[Words]:
             continue
         for start in breaks:
             rest = words[start:]
+            if _holds(rest, topic):
+                yield rest
             for at, size in _pronouns(rest, known):
                 yield (*rest[:at], *topic, *rest[at + size :])
+
+
+def _holds(words: Words, part: Words) -> bool:
+    """Tell whether the words of a part stand in a line again."""
+    texts, told = texts_of(words), texts_of(part)
+    return any(texts[at : at + len(told)] == told for at in range(len(texts)))
 
 
 def _topic(words: Words, known: Frames) -> Words | None:
