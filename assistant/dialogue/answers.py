@@ -14,11 +14,11 @@ from assistant.dialogue.naming import (
     number_of,
     steps_in,
     text_of,
-    things_in,
     tidy_name,
 )
 from assistant.dialogue.sketch import Sketch, at, counted, names, put, with_parts
 from assistant.dialogue.state import Introducing, Knowledge
+from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import line
 from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.bodies import read_body

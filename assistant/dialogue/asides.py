@@ -9,7 +9,7 @@ from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
-from assistant.dialogue.naming import listed_steps, things_in, tidy_name
+from assistant.dialogue.naming import listed_steps, tidy_name
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
@@ -23,6 +23,7 @@ from assistant.dialogue.state import (
     Watching,
 )
 from assistant.dialogue.structure import rename
+from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language.asides import (
     after,

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask, question, tell
 from assistant.dialogue.helping import help_line
-from assistant.dialogue.naming import is_odd, steps_in, tidy
+from assistant.dialogue.naming import begins_or_ends_with_verb, is_odd, steps_in, tidy
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.turn import Turn, Words, first, line, say
 from assistant.model import teacher_acts as acts
@@ -127,7 +127,10 @@ def _steps_listed(dialogue: Dialogue, words: Words) -> Turn | None:
     steps = steps_in(words.text, 2, dialogue.language)
     told = dict.fromkeys(steps)
     plain = all(len(step.split()) <= LONGEST_STEP for step in steps) and "?" not in words.text
-    if state.named or len(told) < FEWEST_STEPS or len(told) < len(steps) or not plain:
+    if state.named or len(told) < len(steps) or not plain:
+        return None
+    verb_first = bool(steps) and begins_or_ends_with_verb(steps[0], dialogue.language)
+    if len(told) < FEWEST_STEPS - verb_first:
         return None
     question = line("confirm", "listed_steps", asked="did_you_mean", names=list(steps))
     pending = Pending("did_you_mean", question, (acts.Inform(steps),), words.text)

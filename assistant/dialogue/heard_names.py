@@ -12,9 +12,10 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask
 from assistant.dialogue.events import Heard
-from assistant.dialogue.naming import action_words, things_in
+from assistant.dialogue.naming import action_words
 from assistant.dialogue.plain_answers import answers_by_words
 from assistant.dialogue.state import Dialogue, Introducing, Pending
+from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, line
 from assistant.language.actions import mentioned_objects, read_action
 from assistant.model import teacher_acts as acts

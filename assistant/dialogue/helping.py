@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import question, stage
 from assistant.dialogue.effects import Effect, Say
-from assistant.dialogue.naming import thing_names
 from assistant.dialogue.state import Dialogue, Watching
+from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, line
 from assistant.model.robot_acts import RobotAct
 

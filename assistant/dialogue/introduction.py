@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.dialogue.bodies import fitted
-from assistant.dialogue.naming import thing_names
 from assistant.dialogue.sketch import Sketch, at, put, walk
 from assistant.dialogue.state import Introducing, Knowledge
+from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import about, line, plain_tree
-from assistant.language.actions import read_action
+from assistant.language.actions import mentioned_objects, read_action
 from assistant.model.robot_acts import RobotAct
 from assistant.model.task import Action, Index, TaskObject
 
@@ -137,8 +137,21 @@ def understood(known: Knowledge, index: Index) -> Knowledge:
         return known
     if node.single is False or node.action is not None or reading.action is None:
         return known
-    sure = replace(node, single=True, action=reading.action)
+    action = _with_its_thing(known, index, reading.action)
+    sure = replace(node, single=True, action=action)
     return with_roles(replace(known, root=put(known.root, index, sure)))
+
+
+def _with_its_thing(known: Knowledge, index: Index, action: Action) -> Action:
+    """Return an action on the thing its step's whole speaks of: "grab it" below "the pot"."""
+    if action.object is not None or (action.verb, action.way) not in _NEEDS_OBJECT:
+        return action
+    for above in range(len(index) - 1, 0, -1):
+        name = at(known.root, index[:above]).name
+        spoken = mentioned_objects(name, known.objects or (), known.language)
+        if len(spoken) == 1:
+            return replace(action, object=spoken[0])
+    return action
 
 
 def all_understood(known: Knowledge) -> Knowledge:

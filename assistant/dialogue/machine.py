@@ -31,8 +31,8 @@ from assistant.dialogue.hearing import hear
 from assistant.dialogue.introduction import need
 from assistant.dialogue.keeping import kept, known_as, loaded, resumed, taken_up
 from assistant.dialogue.listening import beneath, listening
-from assistant.dialogue.naming import thing_names
 from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
+from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, first, line, say
 from assistant.dialogue.view import public_view
 from assistant.model.robot_acts import About

@@ -4,14 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from functools import cache
 
-from assistant.language.actions import called_things, role_of
 from assistant.language.hints import hints, phrase_pattern
 from assistant.language.slips import without_slips
-from assistant.model.scene import Scene
-from assistant.model.setup import Setup
-from assistant.model.task import Role, TaskObject
 
 LONGEST_NAME = 8
 """Words of a task's name; more is asked about."""
@@ -102,11 +97,11 @@ def action_words(language: str) -> set[str]:
 def listed_steps(text: str, room: int = 2, language: str = "english") -> tuple[str, ...]:
     """Return the steps of a text that plainly lists several, each beginning with its verb."""
     steps = steps_in(text, room, language)
-    plain = all(_begins_or_ends_with_verb(step, language) for step in steps)
+    plain = all(begins_or_ends_with_verb(step, language) for step in steps)
     return steps if len(steps) > 1 and plain else ()
 
 
-def _begins_or_ends_with_verb(step: str, language: str) -> bool:
+def begins_or_ends_with_verb(step: str, language: str) -> bool:
     """Whether a step's verb stands where the language puts it: "lift the block", "Block heben"."""
     words = without_slips(step, (), language).lower().split()
     verbs = _verbs(language)
@@ -168,110 +163,15 @@ def is_no_step(name: str, language: str = "english") -> bool:
     return alike(name, hints("no_step_names", language))
 
 
-def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[TaskObject, ...]:
-    """Return the objects an answer names, by the scene's names where it knows them.
-
-    "the cup should be on the tray" names a cup and a tray.
-    """
-    phrases = value if isinstance(value, tuple) else _things(str(value), language)
-    told = [part for phrase in phrases for part in _parted(phrase, scene, language)]
-    # A size such as "8 cm wide" is no thing.
-    parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
-    names = [known_name(_bare(phrase, language), scene, language) for phrase in parted]
-    no_things: list[str] = hints("no_things", language)
-    unique = dict.fromkeys(name for name in names if name and not alike(name, no_things))
-    return tuple(TaskObject(name, role(name, scene, language)) for name in unique)
-
-
-def thing_names(scene: Scene, setup: Setup) -> list[str]:
-    """Return the names of the things that stand on the table."""
-    return [name for name in scene.bodies if name in setup.places]
-
-
-def _parted(phrase: str, scene: Scene, language: str) -> list[str]:
-    """Return the things in a phrase that is more than a name: what stands between its verbs."""
-
-    def there(part: str) -> bool:
-        return known_name(_bare(part, language), scene, language) in scene.bodies
-
-    if there(phrase):
-        return [phrase]
-    joints = sorted(hints("thing_joints", language), key=len, reverse=True)
-    pattern = r"\b(?:" + "|".join(map(re.escape, joints)) + r")\b"
-    parts = re.split(pattern, phrase, flags=re.IGNORECASE)
-    if len(parts) == 1:
-        return [phrase]
-    no_things: list[str] = hints("no_things", language)
-    barely = [(part, _bare(part, language).lower()) for part in parts]
-    bare = [part for part, name in barely if name and name not in no_things]
-    # In a whole sentence a new thing has an article; one that is known needs none.
-    led = [part for part in bare if _article(language).match(part.strip())]
-    return [part for part in bare if part in led or there(part)] if led else bare
-
-
-def known_name(phrase: str, scene: Scene, language: str = "english") -> str:
-    """Return the scene's name for a thing, or the phrase itself if the scene has none.
-
-    "the red block" is the block of the scene if that is red, or if no other block is there.
-    """
-    called = {name: called_things(name, language) for name in scene.bodies}
-    lowered = without_slips(phrase, [one for all_ in called.values() for one in all_], language)
-    lowered = lowered.lower()
-    for name, words in called.items():
-        if lowered in words:
-            return name
-    inside = {
-        name: hit.group()
-        for name, words in called.items()
-        for hit in (phrase_pattern(word).search(lowered) for word in words)
-        if hit
-    }
-    others = set(re.findall(r"\w+", lowered))
-    fitting = [
-        name
-        for name, said in inside.items()
-        if others - set(said.split()) <= _words_of(name, scene, language)
-    ]
-    return fitting[0] if len(fitting) == 1 else phrase
-
-
-def _words_of(name: str, scene: Scene, language: str) -> set[str]:
-    """Return the words that may be said of a body: its name, color and shape."""
-    body = scene.bodies[name]
-    colors: dict[str, list[str]] = hints("colors", language)
-    shapes: dict[str, list[str]] = hints("shapes", language)
-    plain = {*re.findall(r"\w+", f"{name} {body.color} {body.shape}".lower())}
-    told = (*colors.get(body.color, ()), *hints("said_of_things", language))
-    return plain | set(told) | (set(shapes.get(body.shape, ())) if colors else set())
-
-
-def role(name: str, scene: Scene, language: str = "english") -> Role:
-    """Return ``target`` for what cannot be moved or is called one, else ``object``."""
-    body = scene.bodies.get(name)
-    if body is not None and body.mass_kg == 0:
-        return "target"
-    return "target" if body is None and role_of(name, language) == "target" else "object"
+def is_nothing(value: Value, language: str = "english") -> bool:
+    """Whether an answer tells that there is nothing to tell: "none", "nothing"."""
+    return alike(text_of(value), hints("nothing", language))
 
 
 def alike(name: str, others: Sequence[str]) -> bool:
     """Whether a name is taken, capitals and spaces aside."""
     plain = " ".join(name.lower().split())
     return any(" ".join(other.lower().split()) == plain for other in others)
-
-
-def _things(text: str, language: str) -> list[str]:
-    between = "|".join(rf"\b{re.escape(one)}\b" for one in hints("between_things", language))
-    return [piece for piece in re.split(rf",|;|{between}", text) if piece.strip()]
-
-
-def _bare(phrase: str, language: str) -> str:
-    return _article(language).sub("", tidy_name(phrase))
-
-
-@cache
-def _article(language: str) -> re.Pattern[str]:
-    articles = "|".join(map(re.escape, hints("articles", language)))
-    return re.compile(rf"^(?:(?:{articles})\s+)+", re.IGNORECASE)
 
 
 def _split(text: str, separators: Sequence[str]) -> list[str]:

@@ -7,7 +7,6 @@ from typing import Literal
 
 from assistant.dialogue.asking import begin_run, places, proceed, tell
 from assistant.dialogue.effects import Arrange
-from assistant.dialogue.naming import known_name
 from assistant.dialogue.state import (
     Dialogue,
     Introducing,
@@ -17,6 +16,7 @@ from assistant.dialogue.state import (
     Ready,
     Running,
 )
+from assistant.dialogue.things import known_name
 from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, with_other
 from assistant.language.actions import mentioned_objects
 from assistant.language.hints import hints, matter, mentions

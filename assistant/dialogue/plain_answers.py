@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from assistant.dialogue import reviewing
 from assistant.dialogue.finding import find
-from assistant.dialogue.naming import listed_steps, number_of, things_in
+from assistant.dialogue.naming import listed_steps, number_of
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
+from assistant.dialogue.things import things_in
 from assistant.language.actions import read_action
 from assistant.language.bodies import read_body
 from assistant.language.slips import stands

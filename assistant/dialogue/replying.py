@@ -14,9 +14,9 @@ from assistant.dialogue.introduction import with_action
 from assistant.dialogue.naming import (
     Value,
     as_said,
+    is_nothing,
     is_odd,
     name_and_steps,
-    role,
     text_of,
     tidy,
 )
@@ -33,10 +33,13 @@ from assistant.dialogue.state import (
     Running,
     Thinking,
 )
+from assistant.dialogue.things import role
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Action
 
+_MAY_BE_NONE = ("goal", "objects", "actions", "body")
+"""Questions that "nothing" answers; a name is none of them."""
 SENTENCE = 5
 """Words of an answer about things; a longer one is read as a sentence."""
 
@@ -69,6 +72,8 @@ def _introducing(
         name = name_and_steps(text_of(value), dialogue.language)[0]
         if is_odd(name, dialogue.language):
             return _odd_name(dialogue, act, name, words)
+    if value is not None and state.asked in _MAY_BE_NONE and is_nothing(value, dialogue.language):
+        return _none(dialogue, state)
     if value is not None:
         return _answered(dialogue, state, value)
     match act:

@@ -167,7 +167,8 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
     if is_no_step(value, dialogue.language):
         return next_question(dialogue, state)
     nodes = [part.primitive for part in _episodes(dialogue) if part.primitive]
-    if alike(value, nodes):
+    # The step that was asked about may not have been seen, though a part is assigned to it.
+    if alike(value, [name for name in nodes if name != head.about]):
         return tell(dialogue, line("told", "step_was_seen", name=value))
     return _show_again(dialogue, value)
 

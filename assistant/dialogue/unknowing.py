@@ -7,16 +7,20 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.helping import help_line
-from assistant.dialogue.naming import thing_names
+from assistant.dialogue.naming import alike
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.reviewing import next_question
-from assistant.dialogue.sketch import with_parts
+from assistant.dialogue.sketch import at, names, with_parts
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Reviewing
+from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language import asides
+from assistant.language.actions import read_action
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
+FEWEST_PARTS = 2
+"""Of the motions that are offered for one step; one alone is the step itself."""
 REPLAY_NOW = Pending("ready", line("ask", "replay_now", asked="ready"), (acts.Again(),))
 """Shall I show it slowly with my arm?"""
 
@@ -45,6 +49,8 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
         return _named_for_now(free)
     if state.asked == "subtask_count" and not state.index and not state.named:
         return _suggested(free, words)
+    if state.asked == "subtask_count" and state.index and not state.named:
+        return _suggested_parts(free, state, words)
     if state.asked == "subtask_name":
         return _unnamed(free, state, words)
     if state.asked == "pose" and mentions(words.text, hints("all_of_them", dialogue.language)):
@@ -107,9 +113,36 @@ def _suggested(dialogue: Dialogue, words: Words) -> Turn:
     steps = suggested_steps(dialogue)
     if not steps:
         return tell(dialogue, line("help", "subtask_count"))
-    question = line("confirm", "suggested_steps", asked="did_you_mean", names=list(steps))
+    return _offered(dialogue, "suggested_steps", steps, words)
+
+
+def _offered(dialogue: Dialogue, topic: str, steps: tuple[str, ...], words: Words) -> Turn:
+    question = line("confirm", topic, asked="did_you_mean", names=list(steps))
     pending = Pending("did_you_mean", question, (acts.Inform(steps),), words.text)
     return ask(replace(dialogue, pending=pending))
+
+
+def _suggested_parts(dialogue: Dialogue, state: Introducing, words: Words) -> Turn:
+    """Offer the motions that "pick it up" or "put it there" usually are; else it is one."""
+    known = dialogue.known
+    reading = read_action(at(known.root, state.index).name, known.objects or (), known.language)
+    usual: dict[str, list[str]] = hints("suggested_parts", dialogue.language)
+    way = reading.action.way if reading.action is not None else ""
+    thing = reading.action.object if reading.action is not None else None
+    thing = thing or (reading.mentioned[-1] if reading.mentioned else None)
+    if way not in usual or thing is None:
+        return in_state(dialogue, acts.Deny(), words)
+    # "Put the red one on the blue one" begins with the red one.
+    fetched = reading.mentioned[0] if way == "open" else thing
+    order = ((fetched, "close"), (thing, "open")) if fetched != thing else ((thing, way),)
+    own: dict[str, list[str]] = hints("things", dialogue.language)
+    told = [
+        one.format(thing=own.get(name, [name])[0]) for name, kind in order for one in usual[kind]
+    ]
+    steps = tuple(step for step in told if not alike(step, names(known.root)))
+    if len(steps) < FEWEST_PARTS:
+        return in_state(dialogue, acts.Deny(), words)
+    return _offered(dialogue, "suggested_parts", steps, words)
 
 
 def suggested_steps(dialogue: Dialogue) -> tuple[str, ...]:

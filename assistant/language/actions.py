@@ -6,6 +6,7 @@ it as told (and read it back) or has to ask.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -13,6 +14,8 @@ from typing import Any
 from assistant.language.hints import hints, mentions, phrase_pattern
 from assistant.language.slips import without_slips
 from assistant.model.task import Action, TaskObject
+
+_TO_TARGET = (("hand", "open"), ("move", "down"), ("move", "to"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +54,8 @@ def read_action(text: str, objects: Sequence[TaskObject], language: str = "engli
     if entry is None:
         return Reading(None, False, mentioned)
     verb, way = entry[1]["verb"], entry[1]["way"]
-    action = Action(verb, way, _concerned(verb, way, mentioned, objects))
+    there = _led_to(text, mentioned, objects, language) if (verb, way) in _TO_TARGET else None
+    action = Action(verb, way, there or _concerned(verb, way, mentioned, objects))
     return Reading(action, entry is plain and not _is_compound(text, language), mentioned)
 
 
@@ -69,6 +73,10 @@ def mentioned_objects(
             found[known.name] = hit.start()
             # A longer name takes its words away, so that "blue block" is not also "block".
             lowered = lowered[: hit.start()] + "#" * len(hit.group()) + lowered[hit.end() :]
+    for word, name in _telling_apart([one.name for one in objects]).items():
+        hit = phrase_pattern(word).search(lowered)
+        if hit and name not in found:
+            found[name] = hit.start()
     for role, generic in hints("generic", language).items():
         alike = [known.name for known in objects if known.role == role]
         hits = [phrase_pattern(word).search(lowered) for word in generic]
@@ -76,6 +84,18 @@ def mentioned_objects(
         if len(alike) == 1 and starts and alike[0] not in found:
             found[alike[0]] = min(starts)
     return tuple(sorted(found, key=lambda name: found[name]))
+
+
+def _telling_apart(names: Sequence[str]) -> dict[str, str]:
+    """Return the words that tell things of one kind apart: "red" is the red of two blocks."""
+    heads = [name.lower().split()[-1] for name in names if name]
+    told = {
+        name: name.lower().split()[:-1]
+        for name in names
+        if name and heads.count(name.lower().split()[-1]) > 1
+    }
+    every = [word for words in told.values() for word in words]
+    return {word: name for name, words in told.items() for word in words if every.count(word) == 1}
 
 
 def called_things(name: str, language: str = "english") -> tuple[str, ...]:
@@ -118,12 +138,29 @@ def _first(one: tuple[tuple[int, int], Any], other: tuple[tuple[int, int], Any])
     return one[0] <= other[0]
 
 
+def _led_to(
+    text: str, mentioned: Sequence[str], objects: Sequence[TaskObject], language: str
+) -> str | None:
+    """Return the thing a text says to go to: "down to the red block", whatever its role."""
+    to, articles = (
+        "|".join(map(re.escape, hints(part, language))) for part in ("to_words", "articles")
+    )
+    apart = _telling_apart([one.name for one in objects])
+    for name in reversed(mentioned):
+        own = [word for word, known in apart.items() if known == name]
+        called = "|".join(map(re.escape, (*called_things(name, language), *own)))
+        led = rf"\b(?:{to})\s+(?:(?:{articles})\s+)*(?:{called})\b"
+        if re.search(led, text, re.IGNORECASE):
+            return name
+    return None
+
+
 def _concerned(
     verb: str, way: str, mentioned: Sequence[str], objects: Sequence[TaskObject]
 ) -> str | None:
     """Return the object or target an action concerns: where it goes, or what it takes."""
     roles = {known.name: known.role for known in objects}
-    to_target = (verb, way) in (("hand", "open"), ("move", "down"), ("move", "to"))
+    to_target = (verb, way) in _TO_TARGET
     if to_target:
         if len(mentioned) > 1:
             return mentioned[-1]

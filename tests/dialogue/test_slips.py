@@ -57,3 +57,19 @@ def test_all_can_be_begun_anew_after_a_question() -> None:
     teacher.hear(acts.Affirm(), text="yes")
     assert (teacher.asked, teacher.dialogue.known.name) == ("task_name", "")
     assert teacher.hear(acts.Undo(), text="undo").dialogue.known.name == "tea"
+
+
+def test_none_is_no_thing_and_no_size() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "jug"))
+    teacher.tell("none")
+    assert teacher.topics == ["told.assumed_body", "ask.pose"]
+    teacher.hear(acts.Deny()).tell("none").hear(acts.Deny()).tell(2).tell("grab")
+    assert all(thing.name != "none" for thing in teacher.dialogue.known.objects or ())
+
+
+def test_it_is_the_thing_that_the_whole_step_speaks_of() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("block", "target"))
+    teacher.tell(1).tell("take the block by its side").tell(1).tell("grab it")
+    leaf = teacher.dialogue.known.root.parts[0].parts[0]
+    assert leaf.action is not None
+    assert leaf.action.object == "block"

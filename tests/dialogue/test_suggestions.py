@@ -114,3 +114,14 @@ def test_what_is_completed_is_understood(language: str) -> None:
             if set(answer) & {"not_understood", "not_understood_again"}:
                 lost.append((listening(dialogue).asked, offered))
     assert lost == []
+
+
+def test_the_usual_motions_are_offered_to_who_cannot_count_parts() -> None:
+    teacher = Lessons().open().tell("tower").tell("done").tell(("block", "target")).tell(2)
+    teacher.tell("pick up the block").tell("put it on the target")
+    assert teacher.asked == "subtask_count"
+    teacher.hear(acts.Help(), text="I don't know")
+    assert teacher.topics == ["confirm.suggested_parts"]
+    teacher.hear(acts.Affirm(), text="yes").hear(acts.Help(), text="no idea")
+    assert teacher.topics == ["confirm.suggested_parts"]
+    assert teacher.hear(acts.Affirm(), text="yes").asked == "confirm_tree"

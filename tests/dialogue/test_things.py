@@ -1,0 +1,45 @@
+"""Things as teachers call them: in part, several at once, all of them."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.dialogue.things import things_in
+from assistant.language.actions import read_action
+from assistant.model.scene import Body, Scene
+from assistant.model.task import TaskObject
+
+STACK = Scene(bodies={name: Body(name) for name in ("red block", "green block", "blue block")})
+
+
+def called(text: str, scene: Scene = STACK, language: str = "english") -> list[str]:
+    return [one.name for one in things_in(text, scene, language)]
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("red and blue", ["red block", "blue block"]),
+        ("the blocks", ["red block", "green block", "blue block"]),
+        ("all three blocks", ["red block", "green block", "blue block"]),
+        ("all of them", ["red block", "green block", "blue block"]),
+        ("the green one", ["green block"]),
+        ("the red block and a jug", ["red block", "jug"]),
+        # Which of them is not told: it is another thing.
+        ("a block", ["block"]),
+        ("the cups", ["cups"]),
+    ],
+)
+def test_things_are_called_in_part_and_together(text: str, names: list[str]) -> None:
+    assert called(text) == names
+
+
+def test_where_a_step_goes_is_the_thing_it_says_to_go_to() -> None:
+    things = (TaskObject("red block", "object"), TaskObject("blue block", "target"))
+    for text in ("go down to the red block", "let go at the red one", "move it over the red block"):
+        action = read_action(text, things).action
+        assert action is not None
+        assert action.object == "red block"
+    down = read_action("move the red block down", things).action
+    assert down is not None
+    assert down.object == "blue block"
