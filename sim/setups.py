@@ -66,8 +66,8 @@ def random_setup(
     """
     random = np.random.default_rng([seed, number])
     for _ in range(TRIES):
-        start = _start(random, _half_deg(sector)) if random_start else READY
-        setup = _drawn(task, scene, random, sector, start)
+        start = drawn_start(random, _half_deg(sector)) if random_start else READY
+        setup = drawn_setup(task, scene, random, sector, start)
         if setup is not None and reachable(postures(task, scene, setup), scene):
             return replace(setup, name=f"random_{number}")
     raise WorkFailed(f"no reachable setup among {TRIES} drawn for {task.name}")
@@ -90,7 +90,7 @@ def new_setup(task: Task, scene: Scene, setup: Setup, seed: int) -> Setup | None
     """Return a new reachable setup ahead of the robot, which starts where it did; else None."""
     random = np.random.default_rng(seed)
     for _ in range(TRIES):
-        drawn = _drawn(task, scene, random, "front", setup.robot_start)
+        drawn = drawn_setup(task, scene, random, "front", setup.robot_start)
         if drawn is not None and reachable(postures(task, scene, drawn), scene):
             return replace(drawn, name=f"new_{seed}")
     return None
@@ -100,14 +100,16 @@ def _half_deg(sector: Sector) -> float:
     return FRONT_DEG if sector == "front" else ALL_DEG
 
 
-def _drawn(
+def drawn_setup(
     task: Task, scene: Scene, random: np.random.Generator, sector: Sector, start: Place
 ) -> Setup | None:
+    """Return a setup as it is drawn, within reach or not; None where things would overlap."""
     places = arranged(task, scene, random, _half_deg(sector))
     return None if places is None else Setup("random", scene.name, start, places)
 
 
-def _start(random: np.random.Generator, half_deg: float) -> Place:
+def drawn_start(random: np.random.Generator, half_deg: float) -> Place:
+    """Return a robot start, drawn at an azimuth within so much of straight ahead."""
     azimuth = random.uniform(-half_deg, half_deg)
     radius, height = random.uniform(320.0, 640.0), random.uniform(380.0, 760.0)
     ray = np.deg2rad(azimuth)

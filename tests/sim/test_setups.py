@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 
 from assistant.errors import WorkFailed
+from assistant.model.motion import Refusal
 from assistant.model.scene import Obstacle
 from assistant.model.setup import READY, Setup
 from sim.feasibility import reachable
+from sim.planner import A465Planner
 from sim.setups import FRONT_DEG, new_setup, postures, random_setup, random_setups
-from tests.sim.hand_paths import TABLE1, scene, setup, taught
+from tests.benchmarks.bench_refusals import full, unreachable
+from tests.sim.hand_paths import TABLE1, pick_and_place, scene, setup, taught
 
 
 def test_the_same_seed_and_number_give_the_same_setup() -> None:
@@ -27,6 +30,17 @@ def test_the_same_seed_and_number_give_the_same_setup() -> None:
 def test_they_are_reachable_by_the_plain_check() -> None:
     for told in islice(random_setups(taught(), scene(), 5), 4):
         assert reachable(postures(taught(), scene(), told), scene())
+
+
+@pytest.mark.parametrize("how", ["drawn", "anywhere", "near"])
+def test_what_the_plain_check_calls_out_of_reach_is_refused_with_all_there_is_to_tell(
+    how: str,
+) -> None:
+    random = np.random.default_rng(8)
+    for told in islice(unreachable(how, taught(), scene(), random), 3):
+        refusal = A465Planner().plan(pick_and_place(scene(), told), scene(), told)
+        assert isinstance(refusal, Refusal)
+        assert full(refusal), str(refusal)
 
 
 def test_the_front_sector_lies_ahead() -> None:
