@@ -199,7 +199,10 @@ def _stopped(words: Words, hearing: Hearing) -> Parse | None:
 def corrected(words: Words, hearing: Hearing) -> Parse | None:
     """Return what is left when a speaker takes back what came before."""
     texts = texts_of(words)
+    told = set(texts)
     for phrase in hearing.book.correction:
+        if phrase[0] not in told:
+            continue
         size = len(phrase)
         for at in range(len(texts) - size - 1, -1, -1):
             if texts[at : at + size] != phrase or not words[at + size :]:

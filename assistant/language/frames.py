@@ -6,9 +6,9 @@ reads them and finds where the classes occur. `framing` makes acts of what is fo
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, cast
 
@@ -52,7 +52,7 @@ class Frame:
         return tuple((slot, value[1:-1]) for slot, value in told if value.startswith("{"))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Frames:
     """The frames of a language with its classes, by the stem they begin with.
 
@@ -67,10 +67,16 @@ class Frames:
     """
 
     frames: tuple[Frame, ...]
-    phrases: Mapping[str, tuple[tuple[Phrase, str], ...]]
+    phrases: Mapping[Phrase, tuple[tuple[Phrase, str], ...]]
     little: Mapping[str, frozenset[str]]
     name_endings: tuple[str, ...]
     adverb_endings: tuple[str, ...]
+    by_class: Mapping[str, tuple[int, ...]]
+
+    def told_by(self, spans: Spans) -> Iterator[Frame]:
+        """Yield the frames whose first need occurs, and those that need nothing, in their order."""
+        places = {at for name in ("", *spans) for at in self.by_class.get(name, ())}
+        return (self.frames[at] for at in sorted(places))
 
     def small(self, name: str) -> frozenset[str]:
         """Return the small words that do something; a language may have none that do."""
@@ -84,18 +90,29 @@ def frames(language: str) -> Frames | None:
     if not path.exists():
         return None
     told = cast("dict[str, Any]", read_file(path)[0].value)
-    phrases: dict[str, list[tuple[Phrase, str]]] = {}
+    phrases: dict[Phrase, list[tuple[Phrase, str]]] = {}
     for name, listed in (("empty", told["empty"]), *told["classes"].items()):
         for phrase in _list(listed):
             stems = tuple(_stem(word) for word in phrase.split())
-            phrases.setdefault(stems[0], []).append((stems, name))
+            phrases.setdefault(stems[:2], []).append((stems, name))
+    made = tuple(_frame(line) for line in told["frames"].splitlines() if line.strip())
     return Frames(
-        frames=tuple(_frame(line) for line in told["frames"].splitlines() if line.strip()),
+        frames=made,
+        by_class=_by_class(made),
         phrases={first: tuple(ones) for first, ones in phrases.items()},
         little={name: frozenset(_list(listed)) for name, listed in told["little"].items()},
         name_endings=tuple(_list(told["name_endings"])),
         adverb_endings=tuple(_list(told["adverb_endings"])),
     )
+
+
+def _by_class(made: Sequence[Frame]) -> Mapping[str, tuple[int, ...]]:
+    """Return where the frames stand whose first need is a class; ``""`` for those without."""
+    found: dict[str, list[int]] = {}
+    for at, frame in enumerate(made):
+        for name in frame.needs[0] if frame.needs else ("",):
+            found.setdefault(name, []).append(at)
+    return {name: tuple(ones) for name, ones in found.items()}
 
 
 def _list(text: str) -> list[str]:
@@ -130,11 +147,14 @@ def classes_of(texts: Phrase, language: str) -> tuple[str, ...]:
     return () if known is None else tuple(sorted(_classes(texts, known).keys() - {"empty"}))
 
 
+@lru_cache(maxsize=512)
 def _classes(texts: Phrase, known: Frames) -> dict[str, tuple[Span, ...]]:
     stems = tuple(_stem(text) for text in texts)
     found: dict[str, list[Span]] = {}
-    for at, first in enumerate(stems):
-        for phrase, name in known.phrases.get(first, ()):
+    begun = known.phrases.get
+    for at in range(len(stems)):
+        pair = begun(stems[at : at + 2], ()) if at + 1 < len(stems) else ()
+        for phrase, name in (*begun(stems[at : at + 1], ()), *pair):
             if stems[at : at + len(phrase)] == phrase:
                 found.setdefault(name, []).append((at, at + len(phrase)))
     dressed = {at for a, b in found.get("empty", ()) if b - a > 1 for at in range(a, b)}
@@ -145,6 +165,7 @@ def _classes(texts: Phrase, known: Frames) -> dict[str, tuple[Span, ...]]:
     }
 
 
+@lru_cache(maxsize=8192)
 def _stem(word: str) -> str:
     """Return a word without its ending; words in -ing stay, for they name steps."""
     found = word.removesuffix("s") if not word.endswith("ss") else word

@@ -37,7 +37,7 @@ def framed(words: Words, hearing: Hearing) -> Parse | None:
     asking = texts[0] in known.little["asking"]
     spans = spans_of(texts, known, hearing.book.numbers)
     best: tuple[tuple[float, int, int], Parse] | None = None
-    for frame in known.frames:
+    for frame in known.told_by(spans):
         told = asking and frame.names and frame.act in _TOLD
         if frame.expected or told or not _applies(frame, hearing, spans):
             continue
@@ -60,7 +60,7 @@ def framed_as(act: str, words: Words, hearing: Hearing) -> Parse | None:
         spans = spans_of(texts_of(part), known, hearing.book.numbers)
         dropped = len(words) - len(part)
         left_out = _ASIDE + _ASIDE_WORD * dropped if dropped else 0.0
-        for frame in known.frames:
+        for frame in known.told_by(spans):
             if frame.act != act or not _applies(frame, hearing, spans):
                 continue
             found = _filled(frame, part, spans, hearing)

@@ -38,8 +38,10 @@ def kept(words: Words, hearing: Hearing) -> Parse | None:
 
 def _marks(texts: Phrase, words: Words, book: Phrasebook) -> Iterator[tuple[int, int]]:
     """Yield where a mark stands and the name begins: a listed phrase, else a comma."""
-    nouns = book.keeping["nouns"]
+    nouns, told = book.keeping["nouns"], set(texts)
     for phrase in book.keeping["marks"]:
+        if phrase[0] not in told:
+            continue
         for at in range(len(texts) - len(phrase), 0, -1):
             if texts[at : at + len(phrase)] == phrase:
                 yield at, at + len(phrase)

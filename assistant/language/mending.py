@@ -22,7 +22,8 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
     texts = texts_of(words)
     marks, kept = hearing.book.correction, hearing.book.not_taken_back
     for at in range(len(words) - 1, 0, -1):
-        phrase = next((one for one in marks if texts[at : at + len(one)] == one), None)
+        begun = hearing.book.correction_begun.get(texts[at], ())
+        phrase = next((one for one in begun if texts[at : at + len(one)] == one), None)
         if phrase is None or words[at - 1].text in _OWNING:
             continue
         if any(texts[at : at + len(one)] == one for one in kept):

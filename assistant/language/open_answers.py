@@ -31,6 +31,7 @@ from assistant.model.teacher_acts import (
     BeBrief,
     BeThorough,
     Cue,
+    Deny,
     Explain,
     GoBack,
     Gripper,
@@ -92,6 +93,9 @@ def answered(words: Words, hearing: Hearing) -> Parse:
             return parse
         if asked == "subtask_count" and parse is not None and _changing(parse):
             return parse
+        if asked == "which" and parse is not None and parse.acts[0] == Deny() and len(bare) > 2:
+            # "No, I meant the other one" names one.
+            continue
         if (
             parse is not None
             and parse.score >= LIKELY
@@ -184,10 +188,12 @@ def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:
         if asked == "goal" and len(phrase) == 1:
             continue
         for at in range(len(texts) - len(phrase) - 1, 0, -1):
+            if texts[at : at + len(phrase)] != phrase:
+                continue
             behind = words[at + len(phrase) :]
             marked = words[at].broken or len(phrase) > 1
             kept = any(texts[at : at + len(k)] == k for k in hearing.book.not_taken_back)
-            if texts[at : at + len(phrase)] == phrase and marked and behind and not kept:
+            if marked and behind and not kept:
                 found = answer(behind, asked, hearing.book)
                 if found is not None:
                     return found

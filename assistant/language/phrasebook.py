@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -52,6 +52,10 @@ class Sentence:
     needed: tuple[frozenset[str], ...]
     only: frozenset[str] | None
 
+    def begins(self, word: str) -> bool:
+        """Tell whether it can begin with a word."""
+        return self.first is None or word in self.first
+
     def may_match(self, words: frozenset[str]) -> bool:
         """Tell quickly whether words can match: all are the template's, and none it needs lacks."""
         if self.only is not None and not words <= self.only:
@@ -59,7 +63,7 @@ class Sentence:
         return not any(words.isdisjoint(one) for one in self.needed)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Phrasebook:
     """All that a language's teachers may say."""
 
@@ -69,6 +73,7 @@ class Phrasebook:
     opening: frozenset[Phrase]
     closing: frozenset[Phrase]
     correction: tuple[Phrase, ...]
+    correction_begun: Mapping[str, tuple[Phrase, ...]]
     contrary: tuple[frozenset[str], ...]
     contrasting: tuple[Phrase, ...]
     restating: tuple[Phrase, ...]
@@ -87,7 +92,7 @@ class Phrasebook:
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
-    by_first: Mapping[str, tuple[Sentence, ...]]
+    needing: Mapping[str, tuple[int, ...]]
     answers: Mapping[str, tuple[tuple[Node, ...], ...]]
     answer_words: Mapping[str, tuple[Phrase, ...]]
     vocabulary: frozenset[str]
@@ -104,6 +109,14 @@ class Phrasebook:
     impure: frozenset[str]
     wrapping: Mapping[str, tuple[Phrase, ...]]
     wrapping_words: Mapping[str, frozenset[str]]
+
+    def candidates(self, texts: Phrase) -> Iterator[Sentence]:
+        """Yield the sentences that words can match, those that begin with the first word first."""
+        told = frozenset(texts)
+        places = {*self.needing[""], *(at for word in told for at in self.needing.get(word, ()))}
+        near = [one for at in sorted(places) if (one := self.sentences[at]).begins(texts[0])]
+        near.sort(key=lambda one: one.first is None)
+        return (one for one in near if one.may_match(told))
 
     def leading_words(self, name: str) -> frozenset[str]:
         """Return the single words of a kind of wrapping; a language may have none."""
@@ -155,7 +168,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         vocatives=_vocatives(book["vocatives"]),
         opening=frozenset(opening),
         closing=frozenset(closing),
-        correction=tuple(sorted(phrases(book["correction"]), key=len, reverse=True)),
+        correction=longest_first(book["correction"]),
+        correction_begun=by_first_word(phrases(book["correction"])),
         contrary=tuple(
             frozenset(word for (word,) in phrases(line)) for line in lines(book["contrary"])
         ),
@@ -178,7 +192,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
         },
         sentences=sentences,
-        by_first=_index(sentences),
+        needing=_needing(sentences),
         answers=answers,
         answer_words={name: longest_first(book["answers"][name]) for name in wrappings}
         | {f"pose_{name}": longest_first(told) for name, told in book["poses"].items()}
@@ -228,12 +242,16 @@ def _sentences(
             )
 
 
-def _index(sentences: Sequence[Sentence]) -> dict[str, tuple[Sentence, ...]]:
-    """Group sentences by the word they begin with; ``""`` holds those that begin freely."""
-    found: dict[str, list[Sentence]] = {"": []}
-    for sentence in sentences:
-        for word in sentence.first if sentence.first is not None else ("",):
-            found.setdefault(word, []).append(sentence)
+def _needing(sentences: Sequence[Sentence]) -> Mapping[str, tuple[int, ...]]:
+    """Return where the sentences stand that need a word; ``""`` holds those that need none.
+
+    Of the sets of words a sentence needs one of, the smallest tells most quickly.
+    """
+    found: dict[str, list[int]] = {"": []}
+    for at, sentence in enumerate(sentences):
+        least = min(sentence.needed, key=len, default=None)
+        for word in least if least else ("",):
+            found.setdefault(word, []).append(at)
     return {word: tuple(ones) for word, ones in found.items()}
 
 

@@ -61,10 +61,8 @@ def _best_sentence(words: Words, hearing: Hearing) -> Parse | None:
     if not texts:
         return None
     best: tuple[tuple[float, ...], Parse] | None = None
-    book = hearing.book
-    told = frozenset(texts)
-    for sentence in (*book.by_first.get(texts[0], ()), *book.by_first[""]):
-        if not sentence.may_match(told) or not _applies(sentence, hearing.listening):
+    for sentence in hearing.book.candidates(texts):
+        if not _applies(sentence, hearing.listening):
             continue
         for n, bound in enumerate(matches(sentence.nodes, texts)):
             parse = _parse(sentence, bound, words, hearing)

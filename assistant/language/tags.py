@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 from assistant.language.numbers import Quantity
-from assistant.language.phrasebook import Phrasebook
+from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.model.teacher_acts import Degree
 
 OPPOSITE = {
@@ -47,6 +48,11 @@ class Tag:
 
 def tags_of(words: Sequence[str], book: Phrasebook, names: frozenset[str]) -> tuple[Tag, ...]:
     """Return the classes of the words, longest phrases first."""
+    return _tags(tuple(words), book, names)
+
+
+@lru_cache(maxsize=4096)
+def _tags(words: Phrase, book: Phrasebook, names: frozenset[str]) -> tuple[Tag, ...]:
     found: list[Tag] = []
     at = 0
     while at < len(words):
