@@ -35,13 +35,19 @@ ASKABLE = 0.75
 """Less sure than this it is chat, and the robot does not ask what was meant."""
 LIKELIEST = 12
 """So many candidates are understood."""
-SURE_SHARE = 0.7
+SURE_SHARE = 0.6
 ASK_SHARE = 0.35
+HALFWAY = 0.5
 RIVAL_SHARE = 0.25
-"""A name so likely spelled otherwise is asked about: it is part of the plan."""
+"""A name so likely spelled otherwise is asked about, for it is part of the plan, and whatever may
+so likely have meant something else."""
+MOST_STEPS = 9
+"""A number of steps that nobody would expect is asked about."""
 WORST = 4.0
-WORST_WORD = 1.5
-"""Less likely than this, and less by each word, it is asked about at most."""
+WORST_WORD = (1.0, 1.5)
+ALONE_SHARE = 0.95
+"""Less likely than this, and less by each word, it is asked about at most; where hardly anything
+else may have been said, it may be a little less likely."""
 HOPELESS = 5.0
 """Less likely still by so much, nobody said it."""
 
@@ -70,6 +76,10 @@ _PLAIN = (
     acts.Undo,
 )
 """Acts without free words in them."""
+
+
+_TELLING = (acts.Explain, acts.KeyState)
+"""Acts whose words are kept as they were said: however they are spelled they are one meaning."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +124,9 @@ class Reading:
     @property
     def kind(self) -> tuple[object, ...]:
         """What readings with the same meaning share; free words are one meaning."""
-        return ("answers",) if self._answers and not self.numbers else self.acts
+        if self._answers and not self.numbers:
+            return ("answers",)
+        return tuple(type(act) if isinstance(act, _TELLING) else act for act in self.acts)
 
     @property
     def numbers(self) -> bool:
@@ -124,13 +136,11 @@ class Reading:
     @property
     def commands(self) -> bool:
         """Whether it surely means something."""
-        short = len(self.text.split()) <= SHORT_WORDS
-        least = SHORT_SURE if short and not self._answers else SURE
-        return self.meant.confidence >= least and not is_unknown(self.meant)
+        return means(self.meant)
 
     @property
     def _answers(self) -> bool:
-        return all(isinstance(act, acts.Inform) for act in self.acts)
+        return answers(self.meant)
 
 
 def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding]) -> Heard:
@@ -148,16 +158,21 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     acted = max(votes, key=lambda one: votes[one], default=None)
     if acted is None or votes[acted] < ASK_SHARE:
         return nothing_heard(read[0].text)
-    chosen = next(one for one in read if one.kind == acted)
+    chosen = _best_of([one for one in read if one.kind == acted])
     candidate = next(one for one in found if one.text == chosen.text)
     fit = candidate.fit
-    worst = -(WORST + WORST_WORD * len(chosen.text.split()))
+    alone = votes[acted] >= ALONE_SHARE
+    worst = -(WORST + WORST_WORD[alone] * len(chosen.text.split()))
     if fit < worst - HOPELESS:
         return nothing_heard(chosen.text)
-    well = fit >= worst and votes[acted] >= SURE_SHARE
-    # A number nobody would expect is asked about.
-    usual = candidate.expected or not chosen.numbers
-    other = (one.weight for one in read if one.kind == acted and one.acts != chosen.acts)
+    rival = max((share for kind, share in votes.items() if kind != acted), default=0.0)
+    well = fit >= worst and votes[acted] >= SURE_SHARE and rival < RIVAL_SHARE
+    usual = candidate.expected or not chosen.numbers or _few(chosen)
+    other = (
+        one.weight
+        for one in read
+        if one.kind == acted and one.kind == ("answers",) and one.acts != chosen.acts
+    )
     sure = (
         well
         and usual
@@ -167,9 +182,42 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     return as_heard(chosen, 1.0 if sure else DOUBT)
 
 
+def _best_of(alike: Sequence[Reading]) -> Reading:
+    """Return the likeliest of readings that mean the same; one that surely does goes before."""
+    likeliest = alike[0]
+    surer = (
+        one
+        for one in alike
+        if one.commands and one.acts == likeliest.acts and one.weight >= HALFWAY * likeliest.weight
+    )
+    return next(surer, likeliest)
+
+
+def _few(reading: Reading) -> bool:
+    """Whether it answers with a small number; one nobody would expect is asked about."""
+    return all(getattr(act, "value", MOST_STEPS) < MOST_STEPS for act in reading.acts)
+
+
 def nothing_heard(text: str) -> Heard:
     """Return words that mean nothing."""
     return Heard(text, Understanding((Unknown(),), SURE, text))
+
+
+def answers(meant: Understanding) -> bool:
+    """Whether it answers what was asked, and does no more."""
+    return all(isinstance(act, acts.Inform) for act in meant.acts)
+
+
+def means(meant: Understanding) -> bool:
+    """Whether words surely mean something here."""
+    short = len(meant.heard.split()) <= SHORT_WORDS
+    least = SHORT_SURE if short and not answers(meant) else SURE
+    return meant.confidence >= least and not is_unknown(meant)
+
+
+def is_sure(heard: Heard) -> bool:
+    """Whether it may be acted on."""
+    return heard.understanding.confidence >= SURE and not is_unknown(heard.understanding)
 
 
 def is_unknown(meant: Understanding) -> bool:

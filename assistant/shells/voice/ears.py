@@ -4,7 +4,7 @@ Two paths leave a frame. The spotter's is short and never muted: while the arm m
 stop sets the flag that the arm's tick reads. The other joins frames into an utterance, has it
 recognized and understood, and hands the words on like typed ones, with how surely they were
 heard and how long ago they began. Recognizing happens in a thread of its own, so that a stop
-said meanwhile is spotted.
+said meanwhile is spotted; it begins with the silence that may end an utterance, not behind it.
 """
 
 from __future__ import annotations
@@ -101,7 +101,8 @@ class Ears:
         self._talked_over = False
         self._frames = 0
         self._spotted_s = -1.0
-        self._waiting: queue.Queue[tuple[Utterance, bool] | None] = queue.Queue()
+        self._waiting: queue.Queue[tuple[Utterance, bool] | Utterance | None] = queue.Queue()
+        self._ahead: tuple[Utterance, Listening, Heard] | None = None
 
     @property
     def now_s(self) -> float:
@@ -124,24 +125,34 @@ class Ears:
         worker = threading.Thread(target=self._work, name="recognizer", daemon=True)
         worker.start()
         try:
-            for ended in self._utterances(frames):
+            for ended in self._utterances(frames, ahead=self._waiting.put):
                 self._waiting.put(ended)
         finally:
             self._waiting.put(None)
             worker.join()
 
-    def _utterances(self, frames: Iterable[Samples]) -> Iterator[tuple[Utterance, bool]]:
+    def _utterances(
+        self, frames: Iterable[Samples], ahead: Callable[[Utterance], None] | None = None
+    ) -> Iterator[tuple[Utterance, bool]]:
+        """Yield utterances that have ended; `ahead` takes those that may have."""
         for frame in frames:
             if self._session.left:
                 return
             if ended := self._hear(frame):
                 yield ended
+            elif ahead is not None and (paused := self._endpointer.paused()):
+                ahead(paused)
         if last := self._endpointer.end():
             yield last, self._talked_over
 
     def _work(self) -> None:
-        while ended := self._waiting.get():
-            self._understand(*ended)
+        while (one := self._waiting.get()) is not None:
+            if not isinstance(one, Utterance):
+                self._understand(*one)
+            elif self._waiting.empty():
+                # What else waits has overtaken it.
+                listening = self._session.listening
+                self._ahead = one, listening, self._recognized(one, listening)
 
     def _hear(self, frame: Samples) -> tuple[Utterance, bool] | None:
         """Take one frame; return an utterance that has ended and whether the robot spoke too."""
@@ -169,8 +180,7 @@ class Ears:
         self._give(Words("stop", 1.0, 0.0))
 
     def _understand(self, utterance: Utterance, talked_over: bool) -> None:
-        heard = self._hearing.hear(utterance.sound.samples, self._session.listening)
-        give_back()
+        heard = self._heard(utterance)
         words = heard.text
         if not words or self._is_own(words, talked_over) or self._is_noise(heard):
             return
@@ -182,6 +192,21 @@ class Ears:
         unknown = is_unknown(heard.understanding)
         sure = min(heard.sure, DOUBT if unknown else 1.0)
         self._give(Words(words, sure, self.now_s - utterance.speech_from_s))
+
+    def _heard(self, utterance: Utterance) -> Heard:
+        """Return what an utterance means, recognized ahead if that still holds."""
+        listening = self._session.listening
+        if self._ahead is not None:
+            ahead, where, heard = self._ahead
+            same = ahead.speech_from_s == utterance.speech_from_s
+            if same and ahead.speech_to_s == utterance.speech_to_s and where == listening:
+                return heard
+        return self._recognized(utterance, listening)
+
+    def _recognized(self, utterance: Utterance, listening: Listening) -> Heard:
+        heard = self._hearing.hear(utterance.sound.samples, listening)
+        give_back()
+        return heard
 
     def _is_own(self, words: str, talked_over: bool) -> bool:
         """Whether this is the robot's own voice, at least in part; a stop is never muted."""

@@ -32,6 +32,8 @@ class EndpointSettings:
         Probability of speech above which it begins and below which it may end.
     silence_s : float
         Silence that ends an utterance; `short_silence_s` where a short answer is expected.
+    early_s : float
+        Silence after which recognizing begins, ahead of the end: mostly nothing more is said.
     before_s : float
         Sound kept from before the beginning: first consonants are quiet.
     shortest_s : float
@@ -44,6 +46,7 @@ class EndpointSettings:
     end_at: float = 0.35
     silence_s: float = 0.45
     short_silence_s: float = 0.3
+    early_s: float = 0.16
     before_s: float = 0.25
     shortest_s: float = 0.08
     longest_s: float = 15.0
@@ -115,12 +118,23 @@ class Endpointer:
         """End what is being said now, as at the end of a file; None if nobody spoke."""
         if not self.speaking:
             return None
-        spoken_s = self._spoken * FRAME_S
-        sound = Sound(np.concatenate(self._frames), self._first * FRAME_S)
-        ended = Utterance(sound, self._speech_from * FRAME_S, self._speech_to * FRAME_S)
+        ended = self._so_far()
         self._speech_from, self._speech_to, self._spoken = -1, -1, 0
         self._forget_all_but(0)
-        return ended if spoken_s >= self.settings.shortest_s else None
+        return ended
+
+    def paused(self) -> Utterance | None:
+        """Return what has been said once the silence behind it may be its end, else None."""
+        silent = self._first + len(self._frames) - self._speech_to
+        just_now = self.speaking and silent == round(self.settings.early_s / FRAME_S)
+        return self._so_far() if just_now else None
+
+    def _so_far(self) -> Utterance | None:
+        """Return what has been said; None for a click."""
+        if self._spoken * FRAME_S < self.settings.shortest_s:
+            return None
+        sound = Sound(np.concatenate(self._frames), self._first * FRAME_S)
+        return Utterance(sound, self._speech_from * FRAME_S, self._speech_to * FRAME_S)
 
     def _is_over(self, now: int) -> bool:
         wait_s = self.settings.short_silence_s if self.short_answer else self.settings.silence_s

@@ -27,7 +27,13 @@ MARGIN_S = 0.2
 SMOOTHED = 5
 SHORTEST_S = 0.3
 PAUSE_S = 0.5
-CONSONANT_S = 0.15
+CONSONANT_S = (0.15, 0.4)
+"""Softer sounds for so long are no pause: in a quiet room, and where noise hides them."""
+HIDDEN_S = 0.12
+"""So much of the beginning and the end of speech a loud room hides."""
+CLEAR_DB, HIDDEN = (3.0, 8.0, 12.0, 25.0), (0.0, 1.0, 1.0, 0.0)
+"""How much of soft sounds is hidden: all of them in a loud room, none in a quiet one, and none
+where the sound begins and ends within speech, so that no room is heard."""
 FAINT = 0.1
 """Stretches beyond a pause that hold less than this share of the power are the room's."""
 
@@ -71,8 +77,10 @@ def foreground(samples: Samples) -> Foreground:
     first, last = _speaker(loud, 10.0 ** (levels_db / 10.0))
     inside = loud[(loud >= first) & (loud <= last)]
     from_s, to_s = first * HOP / RATE_HZ, (last * HOP + FRAME) / RATE_HZ
-    begin, end = (round(at_s * RATE_HZ) for at_s in (from_s - MARGIN_S, to_s + MARGIN_S))
-    return Foreground(samples[max(begin, 0) : end], _speech_s(inside), loud_db - room_db)
+    hidden = float(np.interp(loud_db - room_db, CLEAR_DB, HIDDEN))
+    margin_s = MARGIN_S + hidden * HIDDEN_S
+    begin, end = (round(at_s * RATE_HZ) for at_s in (from_s - margin_s, to_s + margin_s))
+    return Foreground(samples[max(begin, 0) : end], _speech_s(inside, hidden), loud_db - room_db)
 
 
 def _levels_db(samples: Samples) -> NDArray[np.float64]:
@@ -88,10 +96,20 @@ def _loud_and_room(levels_db: NDArray[np.float64]) -> tuple[float, float]:
     return float(np.percentile(levels_db, LOUD)), room_db
 
 
-def _speech_s(loud: NDArray[np.intp]) -> float:
-    """Return how long somebody spoke; stops of a consonant are no pause."""
+def _speech_s(loud: NDArray[np.intp], hidden: float) -> float:
+    """Return how long somebody spoke; stops of a consonant are no pause.
+
+    Parameters
+    ----------
+    loud : array of int
+        Frames in which the speaker is loud.
+    hidden : float
+        How much of soft sounds the room hides, in [0, 1].
+    """
     steps = np.diff(loud) * HOP / RATE_HZ
-    return float(np.sum(np.where(steps < CONSONANT_S, steps, 0.0)) + FRAME / RATE_HZ)
+    consonant_s = np.interp(hidden, (0.0, 1.0), CONSONANT_S)
+    spoken_s = float(np.sum(np.where(steps < consonant_s, steps, 0.0)) + FRAME / RATE_HZ)
+    return spoken_s + hidden * HIDDEN_S
 
 
 def _speaker(loud: NDArray[np.intp], power: NDArray[np.float64]) -> tuple[int, int]:

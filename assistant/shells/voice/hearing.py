@@ -17,7 +17,8 @@ from assistant.language.completion import suggestions
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
-from assistant.model.teacher_acts import Deny, Stop, Unknown
+from assistant.model.teacher_acts import Stop, Unknown
+from assistant.shells.voice.choosing import Chooser, Said, teaching_words
 from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
@@ -26,7 +27,6 @@ from assistant.shells.voice.deciding import (
     Heard,
     Reading,
     as_heard,
-    decided,
     is_unknown,
     nothing_heard,
     trusted,
@@ -34,10 +34,10 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.phrasebank import mended, named, near
+from assistant.shells.voice.phrasebank import mended
 from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
+from assistant.shells.voice.repairing import counted
 from assistant.shells.voice.sound import RATE_HZ, Samples
-from assistant.shells.voice.weighing import length_penalty, weighed
 
 CLEAR_DB = 22.0
 """In a louder room a second opinion is always asked for."""
@@ -46,20 +46,6 @@ QUICK = 0.5
 NEAR = 0.35
 MARGIN = 0.08
 SHORTEST_S = 1.0
-SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
-ALIKE = 8
-ALIKE_TO = 3
-"""So many commands that sound alike are weighed, for so many readings."""
-TOO_LONG = 6.0
-"""Phrases that cannot have taken so long, or so little, are not weighed."""
-MENDED = -10.0
-"""Stands for how likely a mended name is found before listening: teachers speak of their work."""
-TEACHING = (
-    "place", "pick", "grasp", "move", "lift", "lower", "put", "push", "pour", "insert", "wipe",
-    "turn", "open", "close", "release", "approach", "block", "target", "object", "hand", "cup",
-    "up", "down", "step", "task",
-)  # fmt: skip
-"""Words that names of tasks, things and steps are made of."""
 
 SINGLE_WORDS = (
     "yes", "no", "stop", "left", "right", "up", "down", "forward", "backward", "go", "again",
@@ -69,10 +55,6 @@ SINGLE_WORDS = (
 
 CUES = ("next", "now", "then", "next one", "second step", "third step", "last step", "finished")
 """Said alone while a hand shows the task, beside what the phrasebook suggests."""
-
-RARE = 4.5
-"""Taken off readings that sound like a likelier word: nobody says "please" in a name, where
-"place" is common; while a hand shows the task "now" is a cue, and "no" answers nothing."""
 
 COUNTS = ("none", "one", "two", "three", "four", "five", "six")
 """Said alone where a number is asked for."""
@@ -91,7 +73,8 @@ class Hearing:
     def __init__(self, recognizers: Sequence[Recognizer], language: str = "english") -> None:
         self._recognizers = tuple(recognizers)
         self._language = language
-        self._unheard: dict[str, float] = {}
+        slow = self._recognizers[-1]
+        self._chooser = Chooser(slow, language) if isinstance(slow, Weigher) else None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -100,6 +83,10 @@ class Hearing:
 
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
+        heard = self._heard(samples, listening)
+        return replace(heard, text=counted(heard.text, self._language))
+
+    def _heard(self, samples: Samples, listening: Listening) -> Heard:
         phrases = expected(listening, self._language)
         near_by = foreground(samples)
         samples = _long_enough(near_by.samples)
@@ -131,76 +118,16 @@ class Hearing:
         free = listening.asked in OPEN and listening.asked != "subtask_count"
         named = voted(readings, phrases) if free else None
         sure = named is not None and named.understanding.confidence >= SURE
-        if named is not None and sure and not mended(named.text, _teaching(listening)):
+        if named is not None and sure and not mended(named.text, teaching_words(listening)):
             return named
-        slow = self._recognizers[-1]
-        if isinstance(slow, Weigher) and readings:
-            return self._weighed(slow, samples, speech_s, readings, phrases, listening)
+        if self._chooser is not None and readings:
+            return self._chooser.choose(Said(samples, speech_s, readings, phrases, listening))
         return voted(readings, phrases) or self._by_sound(readings, phrases, listening)
-
-    def _weighed(
-        self,
-        slow: Weigher,
-        samples: Samples,
-        speech_s: float,
-        readings: Sequence[Reading],
-        phrases: Sequence[str],
-        listening: Listening,
-    ) -> Heard:
-        """Weigh all that may have been said by how well it explains the sound."""
-        known = {one.text: one for one in readings}
-        other = [one.text for one in readings if one.recognizer != readings[-1].recognizer]
-        mends = tuple(
-            text
-            for one in [*known][:ALIKE_TO]
-            if listening.asked in OPEN
-            for text in (*mended(one, _teaching(listening)), *self._named(one, listening))
-        )
-        texts = (*known, *phrases, *mends, *self._alike([*known][:ALIKE_TO]))
-        texts = tuple(
-            text
-            for text in dict.fromkeys(texts)
-            if text in known or length_penalty(text, speech_s) < TOO_LONG
-        )
-        found_by_sound = zip(texts, slow.likelihoods(samples, texts), strict=True)
-        told = {text: one - self._rare(text, listening) for text, one in found_by_sound}
-        before = self._before(slow, [phrase for phrase in phrases if phrase in told])
-        before |= {text: MENDED for text in mends if text in told}
-        found = weighed(told, speech_s, expected=before, agreed=other)
-        return decided(found, lambda text: understand(text, listening, self._language))
-
-    def _rare(self, text: str, listening: Listening) -> float:
-        """Return what is taken off a reading that is hardly ever said here."""
-        if listening.asked in OPEN:
-            return RARE if "please" in text.split() else 0.0
-        if listening.stage != "demonstration" or listening.asked is not None:
-            return 0.0
-        answers = understand(text, listening, self._language).acts == (Deny(),)
-        return RARE if answers else 0.0
-
-    def _before(self, slow: Weigher, phrases: Sequence[str]) -> dict[str, float]:
-        """Return how likely the recognizer finds phrases before it listens, asked once."""
-        new = tuple(phrase for phrase in phrases if phrase not in self._unheard)
-        if new:
-            told = slow.likelihoods(SILENCE, new)
-            self._unheard.update(zip(new, told, strict=True))
-        return {phrase: self._unheard[phrase] for phrase in phrases}
-
-    def _alike(self, heard: Sequence[str]) -> tuple[str, ...]:
-        if self._language != "english":
-            return ()
-        return tuple(one for text in heard for one in near(text, ALIKE))
-
-    def _named(self, heard: str, listening: Listening) -> tuple[str, ...]:
-        """Return steps that sound like what was heard where a step's name is asked for."""
-        if listening.asked != "subtask_name" or self._language != "english":
-            return ()
-        return named(heard, (*listening.objects, "object", "target"), ALIKE)
 
     def _read(
         self, one: Recognized, weight: float, recognizer: str, listening: Listening
     ) -> Reading:
-        meant = understand(one.text, listening, self._language)
+        meant = understand(counted(one.text, self._language), listening, self._language)
         return Reading(one.text, weight * one.sure, meant, recognizer)
 
     def _by_sound(
@@ -238,10 +165,6 @@ def hot_words(listening: Listening, phrases: Sequence[str]) -> tuple[str, ...]:
     """Return what the recognizer should expect: the task's names first, then phrases."""
     names = (listening.task, *listening.objects, *listening.subtasks)
     return tuple(dict.fromkeys(name for name in (*names, *phrases) if name))[:60]
-
-
-def _teaching(listening: Listening) -> tuple[str, ...]:
-    return (*TEACHING, *" ".join(listening.objects).split())
 
 
 def _long_enough(samples: Samples) -> Samples:

@@ -31,7 +31,8 @@ _LETTERS = {
     "i": ("IH",), "j": ("JH",), "k": ("K",), "l": ("L",), "m": ("M",), "n": ("N",), "o": ("AA",),
     "p": ("P",), "q": ("K",), "r": ("R",), "s": ("S",), "t": ("T",), "u": ("AH",), "v": ("V",),
     "w": ("W",), "x": ("K", "S"), "y": ("Y",), "z": ("Z",), "ch": ("CH",), "sh": ("SH",),
-    "th": ("TH",), "ph": ("F",), "ng": ("NG",), "ee": ("IY",), "oo": ("UW",), "ck": ("K",),
+    "th": ("TH",), "ph": ("F",), "ng": ("NG",), "er": ("ER",), "ee": ("IY",), "oo": ("UW",),
+    "ck": ("K",),
 }  # fmt: skip
 
 
@@ -80,7 +81,8 @@ def _word(word: str) -> tuple[str, ...]:
     while at < len(word):
         size = 2 if word[at : at + 2] in _LETTERS else 1
         sounds.extend(_LETTERS.get(word[at : at + size], ()))
-        at += size
+        # A letter written twice is spoken once.
+        at += 2 if size == 1 and word[at : at + 2] == 2 * word[at] else size
     return tuple(sounds)
 
 

@@ -27,7 +27,7 @@ def near(heard: str, count: int, language: str = "english") -> tuple[str, ...]:
     """Return so many short commands that sound most like what was heard, the nearest first."""
     phrases, sounds = _bank(language)
     found = process.extract(
-        _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
+        letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
     )
     return tuple(phrases[at] for _, _, at in found)
 
@@ -36,7 +36,7 @@ def named(heard: str, things: tuple[str, ...], count: int) -> tuple[str, ...]:
     """Return so many names of steps, an action and a thing, that sound most like what was heard."""
     phrases, sounds = _names(things)
     found = process.extract(
-        _letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
+        letters(heard), sounds, scorer=Levenshtein.normalized_similarity, limit=count
     )
     return tuple(phrases[at] for _, _, at in found)
 
@@ -51,7 +51,7 @@ def _names(things: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
         for name in _with_thing(phrase, thing)
     }
     phrases = tuple(sorted(told))
-    return phrases, tuple(_letters(phrase) for phrase in phrases)
+    return phrases, tuple(letters(phrase) for phrase in phrases)
 
 
 def _with_thing(phrase: str, thing: str) -> Iterator[str]:
@@ -73,6 +73,11 @@ def mended(heard: str, words: Sequence[str]) -> tuple[str, ...]:
     )
 
 
+def short_commands(language: str = "english") -> tuple[str, ...]:
+    """Return the commands of the phrasebook that have a word or two."""
+    return _bank(language)[0]
+
+
 @cache
 def _bank(language: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     told = {
@@ -83,11 +88,11 @@ def _bank(language: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
         if words
     }
     phrases = tuple(sorted(told))
-    return phrases, tuple(_letters(phrase) for phrase in phrases)
+    return phrases, tuple(letters(phrase) for phrase in phrases)
 
 
 @cache
-def _letters(phrase: str) -> str:
+def letters(phrase: str) -> str:
     """Return the phonemes of a phrase, one letter each."""
     return "".join(_letter(sound) for sound in phonemes(phrase))
 

@@ -17,9 +17,10 @@ from assistant.errors import AssistantError
 from assistant.model.robot_acts import RobotAct
 from assistant.session.loop import Session
 from assistant.shells.beside import Words
+from assistant.shells.voice.choosing import SILENCE
 from assistant.shells.voice.ears import Ears, Spotter
 from assistant.shells.voice.endpointing import FRAME_S, Endpointer, frames_in, silero
-from assistant.shells.voice.hearing import SILENCE, Hearing
+from assistant.shells.voice.hearing import Hearing
 from assistant.shells.voice.mouth import Mouth, Voice
 from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import Samples, sound_pieces

@@ -24,6 +24,9 @@ GAIN = (0.5, 5.0)
 """At least and at most, for what a recognizer finds in silence is no more than a hint."""
 AGREED = 1.5
 """How much likelier what another recognizer read is."""
+MEANT, MEANT_WORDS = 0.6, 4
+"""How much likelier each word makes a sentence that surely means something here, up to so many
+words: the teacher talks to the robot, and chance hardly makes a whole sentence of it."""
 SHARPNESS = 0.8
 """Below 1: a recognizer is surer of itself than it is right."""
 PHONEME_S = 0.085
@@ -59,6 +62,7 @@ def weighed(
     *,
     expected: Mapping[str, float] | None = None,
     agreed: Collection[str] = (),
+    meant: Collection[str] = (),
 ) -> tuple[Candidate, ...]:
     """Return candidates with their shares, the likeliest first.
 
@@ -71,11 +75,16 @@ def weighed(
         What may well be said now, and how likely the recognizer finds it before it listens.
     agreed : collection of str
         What another recognizer read.
+    meant : collection of str
+        What surely means something here.
     """
     gains = {text: gain(before) for text, before in (expected or {}).items()}
     fits = {text: told + gains.get(text, 0.0) for text, told in likelihoods.items()}
     weights = {
-        text: fit + AGREED * (text in agreed) - length_penalty(text, speech_s)
+        text: fit
+        + AGREED * (text in agreed)
+        + MEANT * min(len(text.split()), MEANT_WORDS) * (text in meant and text not in gains)
+        - length_penalty(text, speech_s)
         for text, fit in fits.items()
     }
     most = max(weights.values(), default=0.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from types import SimpleNamespace
 from typing import cast
@@ -179,3 +179,45 @@ def test_the_spotter_listens_on_while_the_robot_speaks() -> None:
     room = Room(speaking=True, moving=True)
     hear(room, "", frames((0.5, 0.0), (0.4, 0.95), (0.8, 0.0)))
     assert room.equipment.stop_flag.is_set()
+
+
+@dataclass
+class Counts(Says):
+    """Counts how often it is asked, and where the dialogue stood."""
+
+    asked: list[Listening] = field(default_factory=list)
+    heard: threading.Semaphore = field(default_factory=lambda: threading.Semaphore(0))
+
+    def hear(self, samples: Samples, listening: Listening) -> Heard:
+        self.asked.append(listening)
+        self.heard.release()
+        return super().hear(samples, listening)
+
+
+def in_turn(
+    told: list[Samples], counts: Counts, change: Callable[[], None], times: int
+) -> Iterator[Samples]:
+    """Yield frames; the last of them after so many recognitions, and after a change."""
+    yield from told[:-20]
+    for _ in range(times):
+        assert counts.heard.acquire(timeout=10.0)
+    change()
+    yield from told[-20:]
+
+
+@pytest.mark.parametrize("changes", [False, True])
+def test_what_was_recognized_ahead_of_the_end_is_not_recognized_again(changes: bool) -> None:
+    room, counts = Room(), Counts("slower")
+    taken: list[Words] = []
+    ears = Ears(cast("Session", room), taken.append, Endpointer(loudness), counts)
+
+    def change() -> None:
+        if changes:
+            room.listening = Listening(stage="practice", asked="satisfied")
+
+    # The last twenty frames are silence; the silence before is not long enough to end it.
+    told = frames((0.5, 0.0), (0.6, 0.5), (0.25 + 20 * FRAME_S, 0.0))
+    ears.listen(in_turn(told, counts, change, 1), beside=True)
+    assert [one.text for one in taken] == ["slower"]
+    assert counts.asked[-1] == room.listening
+    assert len(counts.asked) == 1 + changes

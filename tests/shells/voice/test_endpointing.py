@@ -12,6 +12,7 @@ from assistant.shells.voice.endpointing import (
     FRAME_S,
     Endpointer,
     EndpointSettings,
+    Utterance,
     utterances_in,
 )
 from assistant.shells.voice.sound import RATE_HZ, Samples, Sound
@@ -71,3 +72,27 @@ def test_the_end_of_a_file_ends_the_sentence() -> None:
     found = list(utterances_in(sound_of((0.2, False), (0.5, True)), loudness))
     assert len(found) == 1
     assert found[0].speech_to_s == pytest.approx(0.7, abs=2 * FRAME_S)
+
+
+def test_recognizing_may_begin_ahead_of_the_end_with_all_that_was_said() -> None:
+    endpointer = Endpointer(loudness)
+    sound = sound_of((0.3, False), (0.6, True), (0.25, False), (0.4, True), (1.0, False))
+    ahead: list[Utterance] = []
+    ended: list[Utterance] = []
+    for frame in sound.samples.reshape(-1, FRAME):
+        if one := endpointer.hear(frame):
+            ended.append(one)
+        elif paused := endpointer.paused():
+            ahead.append(paused)
+    # Once in the pause within the sentence, once at its end.
+    assert [one.speech_to_s < ended[0].speech_to_s for one in ahead] == [True, False]
+    assert ahead[1].speech_from_s == ended[0].speech_from_s
+    spoken = (float(np.abs(one.sound.samples).sum()) for one in (ahead[1], ended[0]))
+    assert next(spoken) == pytest.approx(next(spoken))
+
+
+def test_nobody_recognizes_a_click_ahead() -> None:
+    endpointer = Endpointer(loudness)
+    for frame in sound_of((0.3, False), (0.04, True), (0.4, False)).samples.reshape(-1, FRAME):
+        endpointer.hear(frame)
+        assert endpointer.paused() is None

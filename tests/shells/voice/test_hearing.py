@@ -13,6 +13,8 @@ from assistant.model.teacher_acts import (
     Affirm,
     Cue,
     Deny,
+    Explain,
+    Gripper,
     Inform,
     Start,
     Stop,
@@ -30,6 +32,9 @@ PRACTICE = Listening(stage="practice")
 IN_SILENCE = np.concatenate(
     [np.full(length, loud, np.float32) for length, loud in ((4000, 0.0), (6000, 0.3), (4000, 0.0))]
 )
+A_SECOND = np.concatenate(
+    [np.full(length, loud, np.float32) for length, loud in ((4000, 0.0), (18000, 0.3), (4000, 0.0))]
+)
 NAMING = Listening(stage="introduction", asked="subtask_name")
 
 
@@ -46,8 +51,10 @@ class Reads:
         return self.readings
 
 
-def heard(quick: Reads, slow: Reads, listening: Listening = PRACTICE) -> Heard:
-    return Hearing((quick, slow)).hear(IN_SILENCE, listening)
+def heard(
+    quick: Reads, slow: Reads, listening: Listening = PRACTICE, sound: Samples = IN_SILENCE
+) -> Heard:
+    return Hearing((quick, slow)).hear(sound, listening)
 
 
 def acted_on(one: Heard) -> tuple[TeacherAct, ...]:
@@ -241,3 +248,50 @@ def test_counts_where_a_number_is_asked_for() -> None:
     assert {"none", "two"} <= set(expected(asked, "english"))
     one = heard(Reads(("dune", 1.0)), Reads(("two", 0.4), ("tune", 0.3)), asked)
     assert acted_on(one) == (Inform(2),)
+
+
+@pytest.mark.voice
+def test_a_sentence_nearly_read_is_found() -> None:
+    told = {"close the ripper": -5.0, "close the gripper": -4.0}
+    one = heard(
+        Reads(("close the ripper", 1.0)), Weighs(told, ("close the ripper", 0.6)), sound=A_SECOND
+    )
+    assert acted_on(one) == (Gripper("close"),)
+    # It must explain the sound: chat that is nearly a command is chat.
+    told["close the gripper"] = -12.0
+    one = heard(
+        Reads(("close the ripper", 1.0)), Weighs(told, ("close the ripper", 0.6)), sound=A_SECOND
+    )
+    assert acted_on(one) == ()
+
+
+@pytest.mark.voice
+def test_a_whole_sentence_that_was_read_is_weighed_against_readings_only() -> None:
+    class Counts(Weighs):
+        asked_about = 0
+
+        def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+            self.asked_about += len(phrases)
+            return super().likelihoods(samples, phrases)
+
+    text = "move a bit more to the left"
+    slow = Counts({text: -2.0, "mother bit more": -9.0}, (text, 0.9), ("mother bit more", 0.2))
+    one = heard(Reads(("mother", 1.0)), slow, sound=A_SECOND)
+    assert acted_on(one) == (Translate("left", "little"),)
+    assert slow.asked_about == 3
+
+
+@pytest.mark.voice
+def test_a_number_is_heard_where_a_little_word_was_read() -> None:
+    told = {"up to centimeters": -2.0}
+    text = "up to centimeters"
+    one = heard(Reads((text, 1.0)), Weighs(told, (text, 0.9)), sound=A_SECOND)
+    assert acted_on(one) == (Translate("up", distance_m=0.02),)
+    assert one.text == "up two centimeters"
+
+
+@pytest.mark.voice
+def test_how_a_question_is_spelled_does_not_divide_it() -> None:
+    ways = ("how do you know the block is held", "how do you know the block is helped")
+    slow = Weighs(dict.fromkeys(ways, -4.0), *((way, 0.5) for way in ways))
+    assert isinstance(acted_on(heard(Reads((ways[0], 1.0)), slow, sound=A_SECOND))[0], Explain)
