@@ -22,6 +22,7 @@ from assistant.dialogue.correcting import (
 )
 from assistant.dialogue.directions import depends_on_facing, direction_of, squeezed
 from assistant.dialogue.effects import Jog, SetHand
+from assistant.dialogue.elsewhere import stands_elsewhere
 from assistant.dialogue.finding import find_whole, name_at, unclear
 from assistant.dialogue.state import (
     Dialogue,
@@ -54,6 +55,9 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
         return tell(dialogue, line("error", "not_an_answer"))
     if dialogue.known.lesson is None:
         return tell(dialogue, line("error", "nothing_to_correct"))
+    elsewhere = None if sure else stands_elsewhere(dialogue, act, words)
+    if elsewhere is not None:
+        return elsewhere
     place = _place(dialogue, act, words)
     if place is None:
         return unclear(dialogue, act.where.subtask if act.where else "", act)
@@ -70,12 +74,16 @@ def correct(dialogue: Dialogue, act: Correction, words: str, *, by_voice: bool, 
 def _other_station(dialogue: Dialogue, done: Turn, act: Correction, words: Words) -> Turn:
     """Keep in mind the other of two places a correction may have been meant for."""
     given = done[0].known.lesson
-    steps = list(dict.fromkeys(one.primitive for one in given.stations)) if given else []
-    at = given.feedback[-1].primitive if given and given.feedback else ""
-    if len(steps) != 2 or at not in steps or done[0].known == dialogue.known:
+    if given is None or done[0].known == dialogue.known or not given.feedback:
         return done
-    there = acts.Where(steps[1 - steps.index(at)], "during")
-    return with_other(dialogue, done[0], (replace(act, where=there),), words), done[1]
+    steps = list(dict.fromkeys(one.primitive for one in given.stations))
+    at = given.feedback[-1].primitive
+    other: tuple[acts.TeacherAct, ...] = ()
+    if len(steps) == 2 and at in steps:
+        there = acts.Where(steps[1 - steps.index(at)], "during")
+        other = (replace(act, where=there),)
+    here = replace(act, where=acts.Where(at, "during"))
+    return with_other(dialogue, done[0], other, words, here), done[1]
 
 
 def _facing_open(dialogue: Dialogue, act: Correction) -> bool:

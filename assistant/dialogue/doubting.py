@@ -19,7 +19,7 @@ from assistant.model.teacher_acts import act_to_json
 MOST_GUESSES = 2
 """Guesses read back one after the other before the robot tells what can be said."""
 TOPIC = "did_you_mean"
-GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown")
+GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown", "stands_elsewhere")
 """Questions whether the robot's guess is what was meant; who says something else answers it."""
 IN_ANY_WORDS = ("task_name", "goal", "objects", "subtask_name", "actions")
 """Questions whose answer may be any words."""

@@ -174,7 +174,7 @@ def _summary(dialogue: Dialogue, lesson: Lesson) -> RobotAct:
         task=dialogue.known.name,
         count=len(primitives(dialogue.known.task.tree)),
         cuts=len(lesson.segmentation.cuts_s),
-        things=[station.frame for station in lesson.stations],
+        things=list(dict.fromkeys(station.frame for station in lesson.stations)),
         corrections=len(lesson.feedback),
     )
 

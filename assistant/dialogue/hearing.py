@@ -22,6 +22,7 @@ from assistant.dialogue.helping import help_line, patient
 from assistant.dialogue.naming import number_of, text_of
 from assistant.dialogue.otherwise import (
     guessed_other,
+    named_other,
     remembered,
     taken_back,
     wants_other,
@@ -71,6 +72,10 @@ def _by_words(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Wor
         return one_question(turn)
     if wants_other(dialogue, words.text):
         return one_question(_other_one(dialogue))
+    named = named_other(dialogue, words.text)
+    if named is not None and dialogue.other is not None:
+        back, effects = taken_back(dialogue, dialogue.other)
+        return one_question(first(effects, act_on(back, named, Words(dialogue.other.words))))
     if two_ways(dialogue, words.text, meant):
         turned = (acts.Translate("right"),)
         return doubted(replace(dialogue, misses=0), turned, words, other=meant)
@@ -226,6 +231,8 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
             return act_on_all(free, pending.acts, confirmed)
         case acts.Deny() if pending.line.topic == heard_names.TOPIC:
             return tell(free, line("told", "say_or_spell"))
+        case acts.Deny() if is_guess(pending) and pending.other:
+            return guessed_other(dialogue)
         case acts.Deny() if is_guess(pending):
             return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
         case acts.Deny():

@@ -6,18 +6,50 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import tell
 from assistant.dialogue.doubting import doubted, is_guess
+from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.going_back import resettled
 from assistant.dialogue.listening import beneath
+from assistant.dialogue.placing import thing_named
 from assistant.dialogue.state import Dialogue, Other
 from assistant.dialogue.turn import Turn, Words, line
+from assistant.language.actions import mentioned_objects
+from assistant.language.asides import after
 from assistant.language.hints import hints, mentions
 from assistant.language.second import second_reading
+from assistant.model import teacher_acts as acts
 
 
 def wants_other(dialogue: Dialogue, text: str) -> bool:
     """Whether the teacher means the other of two things, and there is one."""
-    there = is_guess(dialogue.pending) or dialogue.other is not None
-    return there and mentions(text, hints("other_one", dialogue.language))
+    kept = dialogue.other
+    there = is_guess(dialogue.pending) or (kept is not None and kept.acts)
+    return bool(there) and mentions(text, hints("other_one", dialogue.language))
+
+
+def named_other(dialogue: Dialogue, text: str) -> acts.TeacherAct | None:
+    """Return what was just done, done where "no, I meant the green one" says; None if unclear."""
+    told = after(text, "meant", dialogue.language)
+    kept = dialogue.other
+    if not told or kept is None or kept.done is None or dialogue.pending is not None:
+        return None
+    if isinstance(kept.done, acts.SetPose):
+        thing = thing_named(dialogue.known, told)
+        return replace(kept.done, object=thing) if thing else None
+    if isinstance(kept.done, acts.Translate | acts.Rotate | acts.Gripper | acts.AdjustSpeed):
+        step = _step_meant(dialogue, told, kept.done.where)
+        return replace(kept.done, where=acts.Where(step, "during")) if step else None
+    return None
+
+
+def _step_meant(dialogue: Dialogue, told: str, done: acts.Where | None) -> str:
+    """Return the step a teacher names by its name, or by what is grasped or let go in it."""
+    known = dialogue.known
+    stations = known.lesson.stations if known.lesson is not None else ()
+    kinds = {one.kind for one in stations if done is not None and one.primitive == done.subtask}
+    things = mentioned_objects(told, known.objects or (), known.language)
+    alike = [one.primitive for one in stations if one.kind in kinds and one.object in things]
+    index = find(known, told)
+    return name_at(known, index) if index is not None else (alike[0] if len(alike) == 1 else "")
 
 
 def guessed_other(dialogue: Dialogue) -> Turn:

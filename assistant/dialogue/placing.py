@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Literal
 
-from assistant.dialogue.asking import begin_run, places, proceed, tell
+from assistant.dialogue.asking import ask, begin_run, places, proceed, tell
 from assistant.dialogue.effects import Arrange
 from assistant.dialogue.state import (
     Dialogue,
@@ -44,6 +44,9 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))
         return tell(dialogue, told)
+    if known.facing is None and act.by_mm is not None and any(act.by_mm[:2]):
+        question = line("ask", "facing", asked="facing")
+        return ask(replace(dialogue, pending=Pending("facing", question, (act,), words)))
     place = new_place(known, thing, act, words)
     if place is None:
         return tell(dialogue, line("error", "no_place", thing=thing))
@@ -53,9 +56,8 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
         return tell(replace(dialogue, pending=Pending("did_you_mean", question, (act,), words)))
     done = placed(dialogue, thing, place)
     others = [one.name for one in known.objects or () if one.name != thing]
-    if len(others) != 1:
-        return done
-    return with_other(dialogue, done[0], (replace(act, object=others[0]),), Words(words)), done[1]
+    other = (replace(act, object=others[0]),) if len(others) == 1 else ()
+    return with_other(dialogue, done[0], other, Words(words), act), done[1]
 
 
 def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:

@@ -207,6 +207,9 @@ class Other:
     Parameters
     ----------
     acts : tuple of TeacherAct
+        Empty where there are not just two.
+    done : TeacherAct or None
+        What was done; it may be done at another step or with another thing.
     words : str
     depth : int
         How many changes had been made before the first candidate was taken.
@@ -215,6 +218,7 @@ class Other:
     acts: tuple[TeacherAct, ...]
     words: str
     depth: int
+    done: TeacherAct | None = None
 
 
 @dataclass(frozen=True, slots=True)

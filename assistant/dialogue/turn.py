@@ -88,10 +88,14 @@ def changed(
 
 
 def with_other(
-    before: Dialogue, after: Dialogue, other: tuple[TeacherAct, ...], words: Words
+    before: Dialogue,
+    after: Dialogue,
+    other: tuple[TeacherAct, ...],
+    words: Words,
+    done: TeacherAct | None = None,
 ) -> Dialogue:
     """Return the dialogue with what would be done with the other candidate kept in mind."""
-    return replace(after, other=Other(other, words.text, len(before.past)))
+    return replace(after, other=Other(other, words.text, len(before.past), done))
 
 
 def about(known: Knowledge, index: Index) -> About:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assistant.model import teacher_acts as acts
-from tests.dialogue.teaching import Lessons
+from tests.dialogue.teaching import Lessons, lesson
 
 OTHER = "no, I meant the other one"
 
@@ -22,7 +22,7 @@ def test_a_correction_goes_to_the_other_of_two_places() -> None:
 
 
 def test_a_place_goes_to_the_other_of_two_things() -> None:
-    teacher = Lessons().ready()
+    teacher = Lessons().ready().hear(acts.Inform("beside you"), text="I stand beside you")
     before = teacher.dialogue.known.setup.places
     teacher.hear(acts.SetPose("block", by_mm=(0.0, 50.0, 0.0)), text="it is 5 cm further left")
     teacher.hear(acts.Deny(), text=OTHER)
@@ -54,3 +54,16 @@ def test_the_second_reading_of_a_guess_is_read_back() -> None:
 def test_without_another_it_is_an_ordinary_no() -> None:
     teacher = Lessons().ready().run().hear(acts.Deny(), text=OTHER)
     assert teacher.topics == ["told.what_to_change"]
+
+
+def test_a_correction_goes_to_the_step_that_is_named_instead() -> None:
+    teacher = Lessons().ready().run().hear(acts.Translate("up", "little"), text="a bit up")
+    teacher.hear(acts.Deny(), text="no, I meant grasp object")
+    (kept,) = (teacher.dialogue.known.lesson or lesson()).feedback
+    assert kept.primitive == "grasp object"
+
+
+def test_a_no_to_one_of_two_readings_reads_the_other_back() -> None:
+    teacher = Lessons().ready().hear(acts.Affirm(), text="right").hear(acts.Deny(), text="no")
+    assert teacher.topics == ["confirm.did_you_mean"]
+    assert teacher.lines[0].slots["acts"][0]["act"] == "affirm"
