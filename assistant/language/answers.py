@@ -126,6 +126,7 @@ def _count(words: Words, book: Phrasebook) -> Inform | None:
     if counts:
         # "the one and the other one, that makes five steps": what is counted stands behind.
         value = max(counts, key=lambda one: (one[1], one[0] != 1, one[2]))[0]
+        value = _counted_up([one[0] for one in counts]) or value
         return Inform(0 if value == 1 and _is_none(texts, book) else value)
     if _is_none(texts, book):
         return Inform(0)
@@ -134,6 +135,12 @@ def _count(words: Words, book: Phrasebook) -> Inform | None:
     if "dozen" in texts:
         return Inform(12)
     return Inform(1) if texts and texts[0] in ("one", "single", "just") else None
+
+
+def _counted_up(values: Sequence[int]) -> int:
+    """Return the last of "one, two, three, so three"; 0 where nobody counts on fingers."""
+    upward = all(value == at for at, value in enumerate(values[:3], start=1))
+    return values[-1] if len(values) > 2 and upward else 0
 
 
 def _counts(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, bool, int]]:

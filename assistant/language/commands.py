@@ -19,7 +19,7 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
-from assistant.language.topics import topical
+from assistant.language.topics import going_on, topical
 from assistant.language.words import Words
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
@@ -81,7 +81,7 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
     told = _denied(words, hearing)
     if told is not None:
         return told
-    repeated = once_more(words, hearing)
+    repeated = once_more(words, hearing) or going_on(words, hearing)
     if repeated is not None:
         return settled(repeated, hearing.listening)
     ruled_out = contrasted(words, hearing)

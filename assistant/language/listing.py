@@ -113,7 +113,11 @@ def _item(words: Words, asked: Asked, book: Phrasebook) -> Words:
     words = _without_heads(words, book)
     beginning = book.leading_words("clause_begins") if asked == "objects" else frozenset[str]()
     cut = next((at for at in range(1, len(words)) if words[at].text in beginning), len(words))
-    return words[:cut]
+    words, texts = words[:cut], _texts(words[:cut])
+    for phrase in book.wrapping.get("being_there", ()) if asked == "objects" else ():
+        if len(phrase) < len(words) and texts[-len(phrase) :] == phrase:
+            return words[: -len(phrase)]
+    return words
 
 
 def _unled(words: Words, asked: Asked, book: Phrasebook) -> Words:

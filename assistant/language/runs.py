@@ -69,7 +69,7 @@ class Runs:
             clear = [run for like, run in runs if like >= _CLEAR]
             return min(clear if len(clear) >= len(runs) - 1 and clear else self.found)
         if lead:
-            ends = {end for start, end in spans.get(lead, ()) if start in used}
+            ends = {one[1] for one in spans.get(lead, ()) if one[0] in used and _alone(one, spans)}
             runs = [r for r in runs if any(end <= r[1][0] <= end + _REACH for end in ends)]
             return max(runs, key=lambda r: (r[0], -r[1][0]), default=(0, None))[1]
         return max(runs, key=lambda r: (r[0], -_distance(r[1], used)))[1]
@@ -87,6 +87,12 @@ class Runs:
         return replace(
             self, found=tuple(one for one, _ in kept), likeness=tuple(like for _, like in kept)
         )
+
+
+def _alone(span: Span, spans: Spans) -> bool:
+    """Tell a word that leads to a name from one within a phrase: the "to" of "refer to"."""
+    longer = (one for name, ones in spans.items() if name != "empty" for one in ones)
+    return not any(a <= span[0] and span[1] <= b and b - a > span[1] - span[0] for a, b in longer)
 
 
 def _lone(words: Words, used: set[int], known: Frames) -> Iterator[Span]:

@@ -25,8 +25,11 @@ def told_side(words: Words, asked: Asked, book: Phrasebook) -> Words:
         words = _left_out(words, book)
     if asked == "which":
         words = _named_again(_meant(words, book), book)
-    named = _without_clause(_equated(words, book), book)
-    return _without_noun(named, book) if asked == "missing_step" else named
+    named = _without_clause(_clefted(_equated(words, book), book), book)
+    if asked != "missing_step":
+        return named
+    begun = len(named) > 1 and named[0].text in book.leading_words("being")
+    return _without_noun(named[begun:], book)
 
 
 def _without_noun(words: Words, book: Phrasebook) -> Words:
@@ -95,6 +98,21 @@ def _equated(words: Words, book: Phrasebook) -> Words:
             "wraps"
         ):
             return _without_pronoun(left, book)
+    return words
+
+
+def _clefted(words: Words, book: Phrasebook) -> Words:
+    """Return the thing of "it is the drain that you want", "was the drain that stayed out"."""
+    texts, being = _texts(words), book.leading_words("being")
+    begun = 2 if texts[0] in book.leading_words("pronouns") and texts[1:2] else 1
+    if texts[begun - 1] not in being:
+        return words
+    relative = book.leading_words("clause_begins") - book.leading_words("asides_begin")
+    leads = {word for phrase in book.answer_words["heads"] for word in phrase}
+    leads |= book.leading_words("parts_begin") | book.leading_words("wraps")
+    for at in range(begun + 1, len(words) - 1):
+        if texts[at] in relative and not set(texts[begun:at]) <= leads:
+            return words[begun:at]
     return words
 
 
@@ -174,6 +192,7 @@ def _subject(words: Words, book: Phrasebook) -> Words:
 def _without_clause(words: Words, book: Phrasebook) -> Words:
     """Drop what follows a mark and begins anew: "wiping, that is what I would say"."""
     subjects = book.leading_words("pronouns") | book.leading_words("subjects")
+    subjects |= book.leading_words("asides_begin")
     leads = {word for phrase in book.answer_words["heads"] for word in phrase}
     for at in range(1, len(words) - 1):
         if words[at].broken and words[at].text in subjects and not _names(words[at:], book):

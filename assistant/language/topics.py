@@ -15,6 +15,7 @@ from assistant.language.parsing import LIKELY, Hearing, Parse, texts_of
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     AddSubtask,
+    AdjustSpeed,
     Assign,
     Merge,
     MoveCut,
@@ -23,8 +24,11 @@ from assistant.model.teacher_acts import (
     RemoveSubtask,
     Rename,
     Required,
+    Resume,
+    Rotate,
     Split,
     TeacherAct,
+    Translate,
     Unordered,
 )
 
@@ -41,6 +45,8 @@ STRUCTURE: tuple[type[TeacherAct], ...] = (
     Split,
     Unordered,
 )
+_CORRECTIONS = (AdjustSpeed, Translate, Rotate)
+_LONGEST_START = 5
 _LONGEST_TOPIC, _LEAST, _LESS = 7, 0.7, 0.04
 
 
@@ -57,6 +63,26 @@ def topical(words: Words, hearing: Hearing) -> Parse | None:
         if best is None or found.score - _LESS > best.score:
             best = Parse(found.acts, min(found.score, LIKELY) - _LESS, "mended")
     return best
+
+
+def going_on(words: Words, hearing: Hearing) -> Parse | None:
+    """Read "go on, but slower": a pause is over, and what comes is corrected."""
+    joints = frames(hearing.language)
+    goes_on = joints.small("but") if joints else frozenset[str]()
+    for at in range(1, min(len(words) - 1, _LONGEST_START)):
+        if not words[at].broken and words[at].text not in goes_on:
+            continue
+        first = clause(words[:at], hearing)
+        rest = words[at:]
+        while len(rest) > 1 and rest[0].text in goes_on:
+            rest = rest[1:]
+        if first is None or first.acts != (Resume(),) or first.score < LIKELY:
+            continue
+        second = clause(rest, hearing)
+        told = second is not None and second.score >= LIKELY
+        if second is not None and told and isinstance(second.acts[0], _CORRECTIONS):
+            return Parse((Resume(), *second.acts), min(first.score, second.score))
+    return None
 
 
 def _is_told(acts: tuple[TeacherAct, ...]) -> bool:

@@ -93,3 +93,19 @@ def test_steps_told_one_after_the_other_are_a_list(text: str, value: object) -> 
 )
 def test_a_goal_is_a_whole_sentence(text: str) -> None:
     assert _answer(text, "goal") == "the cups stand on the shelf"
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("it is the ladle I was asking about", "ladle"),
+        ("was the ladle that went missing", "ladle"),
+    ],
+)
+def test_a_thing_may_be_set_off(text: str, value: str) -> None:
+    assert str(_answer(text, "missing_step")).removeprefix("the ") == value
+
+
+def test_counting_up_ends_with_how_many() -> None:
+    assert _answer("one, two, three, four, that makes four", "subtask_count") == 4
+    assert _answer("one two three... three!", "subtask_count") == 3
