@@ -158,8 +158,8 @@ def _classes(texts: Phrase, known: Frames) -> dict[str, tuple[Span, ...]]:
             if stems[at : at + len(phrase)] == phrase:
                 found.setdefault(name, []).append((at, at + len(phrase)))
     dressed = {at for a, b in found.get("empty", ()) if b - a > 1 for at in range(a, b)}
-    for name in found.keys() - {"empty"}:
-        found[name] = [one for one in found[name] if not dressed >= set(range(*one))]
+    for name in found.keys() - {"empty"} if dressed else ():
+        found[name] = [one for one in found[name] if not dressed.issuperset(range(*one))]
     return {
         name: tuple(sorted(ones, key=lambda s: s[0] - s[1])) for name, ones in found.items() if ones
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -51,10 +52,6 @@ class Sentence:
     template: str
     needed: tuple[frozenset[str], ...]
     only: frozenset[str] | None
-
-    def begins(self, word: str) -> bool:
-        """Tell whether it can begin with a word."""
-        return self.first is None or word in self.first
 
     def may_match(self, words: frozenset[str]) -> bool:
         """Tell quickly whether words can match: all are the template's, and none it needs lacks."""
@@ -114,9 +111,10 @@ class Phrasebook:
         """Yield the sentences that words can match, those that begin with the first word first."""
         told = frozenset(texts)
         places = {*self.needing[""], *(at for word in told for at in self.needing.get(word, ()))}
-        near = [one for at in sorted(places) if (one := self.sentences[at]).begins(texts[0])]
-        near.sort(key=lambda one: one.first is None)
-        return (one for one in near if one.may_match(told))
+        near = [self.sentences[at] for at in sorted(places)]
+        free = [one for one in near if one.first is None]
+        bound = [one for one in near if one.first is not None and texts[0] in one.first]
+        return (one for one in (*bound, *free) if one.may_match(told))
 
     def leading_words(self, name: str) -> frozenset[str]:
         """Return the single words of a kind of wrapping; a language may have none."""
@@ -245,11 +243,12 @@ def _sentences(
 def _needing(sentences: Sequence[Sentence]) -> Mapping[str, tuple[int, ...]]:
     """Return where the sentences stand that need a word; ``""`` holds those that need none.
 
-    Of the sets of words a sentence needs one of, the smallest tells most quickly.
+    Of the sets of words a sentence needs one of, that of the rarest words tells most quickly.
     """
+    often = Counter(word for one in sentences for word in all_words(one.nodes))
     found: dict[str, list[int]] = {"": []}
     for at, sentence in enumerate(sentences):
-        least = min(sentence.needed, key=len, default=None)
+        least = min(sentence.needed, key=lambda one: sum(often[w] for w in one), default=None)
         for word in least if least else ("",):
             found.setdefault(word, []).append(at)
     return {word: tuple(ones) for word, ones in found.items()}

@@ -56,8 +56,8 @@ def _tags(words: Phrase, book: Phrasebook, names: frozenset[str]) -> tuple[Tag, 
     found: list[Tag] = []
     at = 0
     while at < len(words):
-        begun = book.motion_begun.get(words[at], ())
-        phrase = next((one for one in begun if tuple(words[at : at + len(one)]) == one), None)
+        begun = book.motion_begun.get(words[at])
+        phrase = next((p for p in begun if words[at : at + len(p)] == p), None) if begun else None
         quantity = book.numbers.quantity(words, at)
         if quantity is not None and (phrase is None or quantity.end - at >= len(phrase)):
             found.append(Tag("quantity", quantity, tuple(words[at : quantity.end])))

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 Bound = tuple[tuple[str, int, int], ...]
 Reader = Callable[[Sequence[str], int], Iterator[int]]
@@ -18,10 +18,14 @@ _END = ""
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """The teacher's own words; `reader` limits what they may be (numbers)."""
+    """The teacher's own words; `reader` limits what they may be (numbers).
+
+    Only words of `follows` come behind, where that is known: it tells where the slot may end.
+    """
 
     name: str
     reader: Reader | None = None
+    follows: frozenset[str] | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,13 +63,13 @@ class _Reading:
                 break
             self.at += 1
             if token == "|":
-                ways.append(tuple(nodes))
+                ways.append(_followed(nodes))
                 nodes = []
             elif token == "?":
                 nodes[-1] = Choice(((nodes[-1],), ()))
             else:
                 nodes.append(self.node(token))
-        ways.append(tuple(nodes))
+        ways.append(_followed(nodes))
         return tuple(ways)
 
     def node(self, token: str) -> Node:
@@ -88,6 +92,17 @@ class _Reading:
             inner = _Reading(tokens, self.rules, self.readers, made=self.made)
             self.made[name] = _choice(inner.ways())
         return self.made[name]
+
+
+def _followed(nodes: Sequence[Node]) -> tuple[Node, ...]:
+    """Return the nodes, each slot with the words one of which must come behind it."""
+    found: list[Node] = []
+    for at, node in enumerate(nodes):
+        rest = nodes[at + 1 :]
+        if isinstance(node, Slot) and node.reader is None and rest and not _empty(rest):
+            node = replace(node, follows=first_words(rest))
+        found.append(node)
+    return tuple(found)
 
 
 def _choice(ways: tuple[tuple[Node, ...], ...]) -> Node:
@@ -155,6 +170,9 @@ def _slot_ends(slot: Slot, words: Sequence[str], at: int, *, last: bool) -> Iter
         return slot.reader(words, at)
     if last:
         return iter((len(words),) if at < len(words) else ())
+    follows = slot.follows
+    if follows is not None:
+        return (end for end in range(at + 1, len(words)) if words[end] in follows)
     return iter(range(at + 1, len(words) + 1))
 
 
