@@ -57,7 +57,7 @@ class Heeding:
     def _heeded(self, report: ArmReport) -> tuple[ArmReport, ...]:
         if self._unmet is not None:
             return self._braking(report, self._unmet)
-        if self._next is not None and (report.text == "docked" or report.kind == "finished"):
+        if self._next is not None and report.text == "docked":
             return (*self._crossed(self._next, last=True), *self._heeded(report))
         if report.kind == "primitive" and report.primitive_at != self.done:
             return self._crossed(report)

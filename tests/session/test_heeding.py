@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from assistant.cli import main
@@ -17,6 +18,8 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Primitive, Subtask, Task
 from assistant.model.transcript import SetupChoice
+from assistant.ports import ArmLook
+from assistant.session.heeding import Heeding
 from assistant.session.loop import Session
 from assistant.session.opening import open_session
 from assistant.session.practice import SetupResult, practice_setup
@@ -26,6 +29,7 @@ from sim.planner import A465Planner
 from sim.sensor import InHandSensor
 from sim.simulated_arm import SimulatedArm
 from tests.session.lessons import HEAD, Heard, opening
+from tests.session.test_conditions import AROUND, CARRIED, FAR, look
 from tests.session.test_practice import TABLE1, learned
 
 GRASP, PLACE = "grasp object", "place object on target"
@@ -137,6 +141,43 @@ def test_a_step_that_cannot_end_above_the_target_halts_at_once() -> None:
     assert "but the block is not above the target" in result.reason
     begun = [report.primitive_at for report in result.reports if _begins(report)]
     assert begun[-1] == 1
+
+
+@pytest.mark.parametrize(("over", "halted"), [(True, False), (False, True)])
+def test_at_the_docking_pose_it_is_there_or_the_next_step_does_not_begin(
+    over: bool, halted: bool
+) -> None:
+    path = replace(AROUND.path, primitive_at=np.array([0, 0, 1, 2, 3, 3, 4, 4]))
+    around = replace(AROUND, path=path)
+    above = (Condition("above", "block", "target"),)
+    expected = (*[((), ())] * 2, ((), above), *[((), ())] * 2)
+    crossing = ArmReport("primitive", 1.0, 3)
+    arm = Told([[crossing], [], [ArmReport("perceived", 2.0, 3, "docked", "target")], []])
+    heeding = Heeding(arm, expected, around, done=2)
+    assert heeding.tick() == heeding.tick() == ()
+    arm.seen = look(CARRIED, 0.04, "block", CARRIED) if over else arm.seen
+    told = heeding.tick()
+    assert (crossing in told) != halted
+    assert arm.stopped == (["unmet"] if halted else [])
+
+
+class Told(KinematicArm):
+    """An arm that tells what it is told to tell, tick by tick, and sees what it is shown."""
+
+    def __init__(self, reports: list[list[ArmReport]]) -> None:
+        super().__init__()
+        self._reports = reports
+        self.stopped: list[str] = []
+        self.seen = look(FAR, 0.04, "block")
+
+    def tick(self) -> tuple[ArmReport, ...]:
+        return tuple(self._reports.pop(0))
+
+    def look(self) -> ArmLook:
+        return self.seen
+
+    def stop(self, why: str) -> None:
+        self.stopped.append(why)
 
 
 def _begins(report: ArmReport) -> bool:
