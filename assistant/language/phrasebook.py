@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -28,36 +27,13 @@ from assistant.language.templates import (
     Reader,
     all_words,
     compiled,
-    first_words,
-    has_slot,
-    needed_words,
 )
+from assistant.language.ways_to_say import Sentence as Sentence
+from assistant.language.ways_to_say import needing, sentences_of
 from assistant.model.feedback import When
 from assistant.plain_yaml import read_file
 
 LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
-
-
-@dataclass(frozen=True, slots=True)
-class Sentence:
-    """A way to say an act, compiled; `first` holds the words it can begin with."""
-
-    act: str
-    slots: Mapping[str, Any]
-    nodes: tuple[Node, ...]
-    first: frozenset[str] | None
-    stages: frozenset[str]
-    asked: frozenset[str]
-    extra: str
-    template: str
-    needed: tuple[frozenset[str], ...]
-    only: frozenset[str] | None
-
-    def may_match(self, words: frozenset[str]) -> bool:
-        """Tell quickly whether words can match: all are the template's, and none it needs lacks."""
-        if self.only is not None and not words <= self.only:
-            return False
-        return not any(words.isdisjoint(one) for one in self.needed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,7 +120,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     numbers = number_words(book["numbers"])
     readers: dict[str, Reader] = {"n": numbers.number_ends, "nth": numbers.ordinal_ends}
     made: dict[str, Node] = {}
-    sentences = tuple(_sentences(book, readers, made))
+    sentences = tuple(sentences_of(book, readers, made))
     wrappings = ("tails", "heads", "list_joints", "item_heads", "none")
     answers = {
         asked: tuple(compiled(line, book["rules"], readers, made) for line in lines(told))
@@ -190,7 +166,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
         },
         sentences=sentences,
-        needing=_needing(sentences),
+        needing=needing(sentences),
         answers=answers,
         answer_words={name: longest_first(book["answers"][name]) for name in wrappings}
         | {f"pose_{name}": longest_first(told) for name, told in book["poses"].items()}
@@ -215,43 +191,6 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
             for key, told in book["suggestions"].items()
         },
     )
-
-
-def _sentences(
-    book: Mapping[str, Any], readers: Mapping[str, Reader], made: dict[str, Node]
-) -> Iterable[Sentence]:
-    for entry in book["sentences"]:
-        extra = next(
-            (key for key in ("text", "list", "number", "seconds", "ratio") if key in entry), ""
-        )
-        for line in lines(entry["say"]):
-            nodes = compiled(line, book["rules"], readers, made)
-            yield Sentence(
-                act=entry["act"],
-                slots=entry.get("slots", {}),
-                nodes=nodes,
-                first=first_words(nodes),
-                stages=frozenset(entry.get("stage", "").split()),
-                asked=frozenset(entry.get("asked", "").split()),
-                extra=extra,
-                template=line,
-                needed=needed_words(nodes),
-                only=None if has_slot(nodes) else frozenset(all_words(nodes)),
-            )
-
-
-def _needing(sentences: Sequence[Sentence]) -> Mapping[str, tuple[int, ...]]:
-    """Return where the sentences stand that need a word; ``""`` holds those that need none.
-
-    Of the sets of words a sentence needs one of, that of the rarest words tells most quickly.
-    """
-    often = Counter(word for one in sentences for word in all_words(one.nodes))
-    found: dict[str, list[int]] = {"": []}
-    for at, sentence in enumerate(sentences):
-        least = min(sentence.needed, key=lambda one: sum(often[w] for w in one), default=None)
-        for word in least if least else ("",):
-            found.setdefault(word, []).append(at)
-    return {word: tuple(ones) for word, ones in found.items()}
 
 
 def _turning(book: Mapping[str, Any]) -> set[str]:
