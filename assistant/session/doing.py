@@ -9,7 +9,7 @@ from assistant.dialogue import asking, events
 from assistant.dialogue import effects as wanted
 from assistant.errors import BadInput, NothingLearned
 from assistant.model.motion import Refusal
-from assistant.session import keeping
+from assistant.session import halting, keeping
 
 if TYPE_CHECKING:
     from assistant.session.loop import Session
@@ -122,6 +122,10 @@ def learned(session: Session, effect: wanted.Learn) -> events.Learned:
 
 def _arrange(session: Session, effect: wanted.Arrange) -> None:
     mover = session.mover
+    if mover.moving and not mover.braking:
+        mover.halt(halting.REARRANGED)
+    if mover.latches(effect):
+        return
     scene = effect.scene or mover.scene
     setup = effect.setup or mover.setup
     if not effect.random:

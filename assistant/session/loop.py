@@ -156,8 +156,9 @@ class Session:
             self.happen(events.Halted(why))
 
     def arrange(self, scene: Scene, setup: Setup) -> None:
-        """Put things where the teacher says."""
+        """Put things where the teacher says, once the arm stands."""
         self.halt(halting.REARRANGED)
+        self.rest()
         self.mover.arrange(scene, setup)
         self.happen(events.Arranged(setup, scene))
 

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from assistant.dialogue import effects as wanted
-from assistant.dialogue.events import ArmReported, Checked, Event
+from assistant.dialogue.events import Checked, Event
 from assistant.geometry import pose_to_mm_deg
-from assistant.model.motion import GOING_ON, ArmReport, HandPath, JointPath, Refusal
+from assistant.model.motion import ArmReport, HandPath, JointPath, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
@@ -22,6 +22,7 @@ from assistant.session.conditions import Expected, Surroundings, expectations
 from assistant.session.equipment import Equipment
 from assistant.session.heeding import Heeding
 from assistant.session.holding import with_held
+from assistant.session.latching import Latch
 
 if TYPE_CHECKING:
     from assistant.session.ordering import Planned
@@ -69,7 +70,7 @@ class Mover:
         self._waiting = False
         self._pauses = False
         self._is_aside = False
-        self._latched: tuple[wanted.Effect, ...] = ()
+        self._latch = Latch()
         self.braking = False
         self._started_s = self._lasts_s = 0.0
         self._primitive_at = -1
@@ -127,7 +128,7 @@ class Mover:
         self.scene, self.setup = scene, setup
         self._checked = self._run = None
         self.moving = self._waiting = self.braking = False
-        self._latched = ()
+        self._latch.clear()
         self._open_m = self.look.gripper_m
 
     def check(self, effect: wanted.Check) -> Checked:
@@ -200,24 +201,19 @@ class Mover:
 
     def halt(self, why: str) -> None:
         """Brake now; what was started, or was to be started then, is discarded."""
-        self._waiting, self._latched = False, ()
+        self._waiting = False
+        self._latch.discard()
         self.braking = self.moving
         self._equipment.arm.stop(why)
 
     def latches(self, effect: wanted.Effect) -> bool:
-        """Keep what would move an arm that is still coming to rest; tell whether it was kept."""
+        """Keep what has to wait until an arm that is coming to rest stands; tell whether so."""
         settling = self.moving and (self.braking or self._is_aside)
-        if settling and _moves(effect):
-            self._latched = (*self._latched, effect)
-            return True
-        return False
+        return settling and self._latch.keeps(effect)
 
     def released(self, event: Event) -> tuple[wanted.Effect, ...]:
         """Return what was latched, once the dialogue has heard that the arm stands."""
-        if not isinstance(event, ArmReported) or event.report.text != GOING_ON:
-            return ()
-        latched, self._latched = self._latched, ()
-        return latched
+        return self._latch.released(event)
 
     def set_hand(self, command: str) -> Refusal | None:
         """Open or close the hand where it is."""
@@ -241,17 +237,7 @@ class Mover:
             self._take(report)
         if self.moving:
             return reports
-        return self._before_latched(with_held(reports, self.look, self.scene))
-
-    def _before_latched(self, reports: tuple[ArmReport, ...]) -> tuple[ArmReport, ...]:
-        """Return the reports of an end, which is none of what was told to move after it."""
-        if any(report.kind == "unmet" for report in reports):
-            # Who said it did not know what went wrong.
-            self._latched = ()
-        if not self._latched:
-            return reports
-        *before, last = reports
-        return (*before, replace(last, kind="halted", text=GOING_ON))
+        return self._latch.before(with_held(reports, self.look, self.scene))
 
     def _take(self, report: ArmReport) -> None:
         if report.kind in ENDS:
@@ -288,11 +274,3 @@ class Mover:
         self._lasts_s = float(motion.t_s[-1])
         self._equipment.arm.start(motion)
         self.moving = True
-
-
-def _moves(effect: wanted.Effect) -> bool:
-    """Whether an effect moves the arm, or is planned from where it stands."""
-    if isinstance(effect, wanted.GoOn | wanted.Check):
-        return effect.anew
-    begins = wanted.Move | wanted.Replay | wanted.SetHand | wanted.Jog | wanted.Home
-    return isinstance(effect, begins)

@@ -214,6 +214,7 @@ class TextShell:
             self._write(words["no_keys"])
             return
         with ticker.lock:
+            session.rest()
             mover.arrange(mover.scene, mover.setup)
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         watching = session.watching

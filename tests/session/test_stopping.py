@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from assistant.model.motion import ArmReport
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
 from assistant.session import halting
 from assistant.session.heeding import Heeding
 from assistant.session.loop import Session
@@ -16,7 +18,7 @@ from assistant.session.opening import resume_session
 from sim import a465
 from tests.session.lessons import Heard, opened, opening, until_it_moves
 
-REST_S = 0.25
+REST_S, TICK_S = 0.25, 0.02
 
 
 @pytest.fixture
@@ -215,6 +217,75 @@ def test_nothing_else_moves_before_rest_either(moving: tuple[Session, Heard], wo
     reach_rest(session)
     assert session.moving
     assert session.mover.run_s == 0.0
+
+
+@pytest.mark.usefixtures("heavy")
+@pytest.mark.parametrize("words", ["new setup", "swap the block and the target"])
+def test_things_are_put_elsewhere_only_once_the_arm_stands(
+    moving: tuple[Session, Heard], words: str
+) -> None:
+    session, heard = moving
+    session.hear("stop")
+    session.tick()
+    session.hear(words)
+    look = session.mover.look
+    where, hand, jumps = look.bodies["block"], look.hand, []
+    while session.mover.braking:
+        assert np.array_equal(session.mover.look.bodies["block"], where)
+        session.tick()
+        if session.mover.braking:
+            hand, before = session.mover.look.hand, hand
+            jumps.append(float(np.linalg.norm(hand[:3] - before[:3])))
+    assert len(jumps) > 5
+    assert max(jumps) < 0.25 * TICK_S
+    assert not np.array_equal(session.mover.look.bodies["block"], where)
+    start = session.mover.setup.robot_start.pose
+    assert session.mover.look.hand == pytest.approx(start, abs=1e-6)
+    session.hear("go")
+    session.rest()
+    assert heard.topics[-2:] == ["done.run", "ask.satisfied"]
+
+
+@pytest.mark.parametrize("words", ["new setup", "swap them"])
+def test_on_the_way_nothing_is_put_elsewhere(moving: tuple[Session, Heard], words: str) -> None:
+    session, _ = moving
+    before = session.mover.look
+    session.hear(words)
+    after = session.mover.look
+    assert np.array_equal(after.hand, before.hand)
+    assert all(np.array_equal(after.bodies[name], before.bodies[name]) for name in before.bodies)
+
+
+@pytest.mark.usefixtures("heavy")
+def test_a_stop_takes_no_arrangement_back(moving: tuple[Session, Heard]) -> None:
+    session, _ = moving
+    for words in ("stop", "swap the block and the target", "go", "stop"):
+        session.hear(words)
+        session.tick()
+    session.rest()
+    assert not session.moving
+    told = session.dialogue.known.setup.places["block"]
+    assert session.mover.setup.places["block"] == told
+
+
+@pytest.mark.usefixtures("heavy")
+def test_a_setup_a_program_tells_waits_for_rest(
+    moving: tuple[Session, Heard], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    session, _ = moving
+    scene, setup = session.mover.scene, session.mover.setup
+    before = session.mover.now_s
+    places: list[tuple[float, bool]] = []
+    arranged = session.mover.arrange
+
+    def arrange(scene: Scene, setup: Setup) -> None:
+        places.append((session.mover.now_s, session.moving))
+        arranged(scene, setup)
+
+    monkeypatch.setattr(session.mover, "arrange", arrange)
+    session.arrange(scene, setup)
+    assert places[0][0] > before + 5 * TICK_S
+    assert not places[0][1]
 
 
 def test_a_condition_broken_while_braking_discards_the_start(
