@@ -24,6 +24,7 @@ from assistant.geometry import (
 from assistant.model.motion import HandStop, JointPath
 from sim import a465
 from sim.kinematics import BRANCHES, forward, inverse_all, limit_margin
+from sim.world import Fault
 
 LARGEST_M = 0.010
 LARGEST_RAD = np.deg2rad(8.0)
@@ -43,9 +44,27 @@ def release_offset(supposed: Array, seen: Array) -> Array | None:
         The body's base in the flange's frame, as planned and as the sensor tells.
     """
     offset = compose(supposed, inverse(seen))
-    far = float(np.linalg.norm(offset[:3])) > LARGEST_M
-    turned = float(angle_between(offset, IDENTITY)) > LARGEST_RAD
-    return None if far or turned else offset
+    away_m, turned_rad = _apart(offset)
+    return None if away_m > LARGEST_M or turned_rad > LARGEST_RAD else offset
+
+
+def slipped(name: str, supposed: Array, seen: Array) -> Fault:
+    """Return what halts a run whose body sits elsewhere in the hand than can be corrected.
+
+    Parameters
+    ----------
+    name : str
+    supposed, seen : array, shape (7,)
+        As for `release_offset`.
+    """
+    away_m, turned_rad = _apart(compose(supposed, inverse(seen)))
+    if away_m > LARGEST_M:
+        return Fault("slipped", name, amount=1000.0 * away_m, unit="mm")
+    return Fault("slipped", name, amount=float(np.rad2deg(turned_rad)), unit="deg")
+
+
+def _apart(offset: Array) -> tuple[float, float]:
+    return float(np.linalg.norm(offset[:3])), float(angle_between(offset, IDENTITY))
 
 
 def checked(

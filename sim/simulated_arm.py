@@ -8,6 +8,7 @@ looked at and the release corrected, and what happens is reported.
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
-from sim.correction import checked, matters, release_offset
+from sim.correction import checked, matters, release_offset, slipped
 from sim.gripping import Grip
 from sim.kinematics import forward
 from sim.measures import finished
@@ -169,7 +170,8 @@ class SimulatedArm:
         if fault is None and self._carried and not acting and self._grip.share == 1.0:
             fault = self._lost_grip()
         if fault is not None:
-            return (*told, self._halt("unmet", fault.text, fault.body, fault.target))
+            halted = self._halt("unmet", fault.text, fault.body, fault.target)
+            return (*told, replace(halted, amount=fault.amount, unit=fault.unit))
         if playback.at_rest:
             return (*told, self._halt("halted", self._why))
         if playback.braking:
@@ -245,9 +247,10 @@ class SimulatedArm:
             return
         stop = playback.pending[0]
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
-        offset = release_offset(supposed, self._sensor.look(in_hand))
+        seen = self._sensor.look(in_hand)
+        offset = release_offset(supposed, seen)
         if offset is None:
-            self._misfit = Fault("held", held)
+            self._misfit = slipped(held, supposed, seen)
             return
         more = compose(inverse(self._offset), offset)
         free = still_free(self._scene, self._setup, self.look(), begin)

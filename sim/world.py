@@ -24,11 +24,16 @@ STILL_M = 2e-5
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Something that must halt a run: ``contact`` with a body, ``tracking``, or a condition."""
+    """What must halt a run: ``contact`` with a body, ``tracking``, ``slipped``, or a condition.
+
+    By how much a body slipped is `amount`, in ``mm`` or ``deg``.
+    """
 
     text: str
     body: str = ""
     target: str = ""
+    amount: float | None = None
+    unit: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -147,7 +147,7 @@ def _homing(dialogue: Dialogue, report: ArmReport) -> Turn:
     """Take what is told on the way back to the start, where no run is under way."""
     match report.kind:
         case "finished":
-            return replace(dialogue, arm="rest"), ()
+            return tell(replace(dialogue, arm="rest"), line("done", "home", held=report.object))
         case "halted":
             return stopped(dialogue, report.text)
         case "unmet":
@@ -246,6 +246,8 @@ def unmet_line(report: ArmReport, name: str, index: Index = ()) -> RobotAct:
         condition=report.text,
         wanted=wanted,
         found=report.found,
+        amount=report.amount,
+        unit=report.unit,
         object=report.object,
         target=report.target,
     )

@@ -207,8 +207,8 @@ class ArmReport:
     primitive_at : int
         Position among the tree's leaves; -1 for none.
     text : str
-        For ``perceived`` and ``unmet`` a condition's key, such as ``held``; for ``halted`` why,
-        or `GOING_ON`.
+        For ``perceived`` and ``unmet`` a condition's key, such as ``held``, or what else went
+        wrong (``contact``, ``tracking``, ``slipped``); for ``halted`` why, or `GOING_ON`.
     object, target : str
         For ``perceived`` and ``unmet``; for ``halted`` and ``finished`` `object` is what the
         hand holds.
@@ -224,6 +224,10 @@ class ArmReport:
         itself noticed on its way.
     found : str
         For ``unmet``: how the hand is, or what it holds, instead.
+    amount : float or None
+        For ``unmet``, text ``slipped``: how far `object` is from its place in the hand, in `unit`.
+    unit : str
+        ``mm`` or ``deg``.
     """
 
     kind: ReportKind
@@ -237,3 +241,5 @@ class ArmReport:
     measures: tuple[Measure, ...] = ()
     when: Literal["", "before", "until"] = ""
     found: str = ""
+    amount: float | None = None
+    unit: str = ""

@@ -87,6 +87,24 @@ def test_an_unmet_condition_ends_the_run_and_is_told() -> None:
     assert public_view(teacher.dialogue)["motion"] == "stopped"
 
 
+@pytest.mark.parametrize(
+    ("amount", "unit", "told"),
+    [
+        (14.2, "mm", ("14 mm off", "14 mm daneben")),
+        (9.0, "deg", ("9 degrees off", "9 Grad daneben")),
+        (None, "", ("not where I was told.", "nicht, wo es hieß.")),
+    ],
+)
+def test_what_slipped_in_the_hand_is_told_as_that(
+    amount: float | None, unit: str, told: tuple[str, str]
+) -> None:
+    teacher = Lessons().ready().moving().report("primitive", 3)
+    teacher.report("unmet", 3, text="slipped", object="block", amount=amount, unit=unit)
+    assert teacher.topics == ["stopped.unmet.slipped"]
+    for language, words in zip(("english", "german"), told, strict=True):
+        assert words in phrase(teacher.lines[0], language)
+
+
 def test_a_condition_of_a_step_is_told_with_what_was_wanted_and_what_is() -> None:
     teacher = Lessons().ready().moving().report("primitive", 1)
     told = {"text": "hand", "object": "closed", "when": "before", "found": "open"}

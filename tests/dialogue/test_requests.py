@@ -105,6 +105,8 @@ def test_after_a_stop_the_hand_can_go_home() -> None:
     assert teacher.hear(acts.Start(), text="go").topics == ["told.moving_already"]
     assert teacher.hear(acts.Gripper("open"), text="open the hand").topics == ["error.while_moving"]
     teacher.report("finished")
+    assert teacher.topics == ["done.home", "ask.ready_slow"]
+    assert phrase(teacher.lines[0]) == "I am back at my start."
     assert teacher.hear(acts.Start(), text="go").did(fx.Check)
 
 
@@ -135,6 +137,8 @@ def test_what_is_held_at_home_is_not_let_go_unasked() -> None:
     teacher = homing()
     held = ArmReport("finished", 4.0, object="block", height_mm=310.4)
     teacher.happen(ev.ArmReported(held))
+    assert phrase(teacher.lines[0]) == "I am back at my start. I still hold the block."
+    assert "noch in meiner Hand" in phrase(teacher.lines[0], "german")
     teacher.hear(acts.Gripper("open"), text="open the hand")
     assert teacher.topics == ["confirm.open_above"]
     assert not teacher.did(fx.SetHand)

@@ -14,6 +14,8 @@ from assistant.shells.driving_view import Gap, gap_line, gaps, in_the_way, key_f
 from sim.driving import TIP
 
 WORDS = page("terminal")["driving"]
+OTHERS = ("slipped", "aligned", "clear")
+"""What else goes wrong when a hand is opened or closed."""
 
 
 def test_the_way_is_told_in_words_and_keys(table: tuple[ArmLook, Scene]) -> None:
@@ -80,6 +82,11 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
     assert "another order" in wound
     slipped = ArmReport("unmet", 1.0, text="held", object="block")
     assert "block slipped" in in_the_way(slipped, WORDS, "english")
+    for text in OTHERS:
+        fault = ArmReport("unmet", 1.0, text=text, object="block")
+        for language in ("english", "german"):
+            words = page("terminal", language)["driving"]
+            assert "block" in in_the_way(fault, words, language)
     touched = ArmReport("unmet", 1.0, text="contact", object="target")
     assert "bumped into the target" in in_the_way(touched, WORDS, "english")
     assert in_the_way(touched, WORDS, "english", "block").startswith("the block touches the target")
@@ -96,7 +103,7 @@ def test_every_reason_has_a_sentence(reason: Any, language: str) -> None:
 @pytest.mark.parametrize("language", ["english", "german"])
 def test_every_fault_and_key_has_words(language: str) -> None:
     words = page("terminal", language)["driving"]
-    assert set(words["faults"]) == {"held", "contact", "tracking"}
+    assert set(words["faults"]) == {"held", "contact", "tracking", *OTHERS}
     shown = " ".join(words["rows"].values()).split()
     assert sorted(shown) == sorted(words["keys"])
     assert set(words["headings"]) == {*words["rows"], "mouse"}

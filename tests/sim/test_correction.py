@@ -21,11 +21,12 @@ from assistant.geometry import (
 from assistant.model.motion import JointPath
 from assistant.model.scene import Body, Obstacle, Scene
 from sim import a465
-from sim.correction import checked, corrected, release_offset
+from sim.correction import checked, corrected, release_offset, slipped
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
 from sim.rechecking import still_free
 from sim.sensor import InHandSensor, PlaceNoise
+from sim.world import Fault
 from tests.sim.placing import begun, lesson, motion, ticked_to, told_until_rest
 
 BLOCK = Body("block")
@@ -102,7 +103,7 @@ def test_a_corrected_motion_is_checked_for_collision() -> None:
     assert not still_free(walled, setup, arm.look(), begin)(planned)
 
 
-@pytest.mark.parametrize(("seen_mm", "text"), [(4.0, "aligned"), (20.0, "held")])
+@pytest.mark.parametrize(("seen_mm", "text"), [(4.0, "aligned"), (20.0, "slipped")])
 def test_a_release_that_cannot_be_corrected_halts_the_run(
     monkeypatch: pytest.MonkeyPatch, seen_mm: float, text: str
 ) -> None:
@@ -115,11 +116,18 @@ def test_a_release_that_cannot_be_corrected_halts_the_run(
     begun(arm)
     last = told_until_rest(arm)[-1]
     assert (last.kind, last.text, last.object) == ("unmet", text, "block")
+    assert last.amount == (pytest.approx(seen_mm) if text == "slipped" else None)
 
 
 def test_a_body_that_slipped_far_is_not_corrected_for() -> None:
     far = pose_from_mm_deg((20, 0, 0), (0, 0, 0))
     assert release_offset(IDENTITY, far) is None
+    assert slipped("block", IDENTITY, far) == Fault("slipped", "block", "", 20.0, "mm")
+    turned = pose_from_mm_deg((0, 0, 0), (0, 0, 12))
+    assert release_offset(IDENTITY, turned) is None
+    fault = slipped("block", IDENTITY, turned)
+    assert fault.amount == pytest.approx(12.0)
+    assert fault.unit == "deg"
 
 
 def test_the_sensor_has_the_noise_it_states() -> None:
