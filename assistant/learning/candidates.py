@@ -36,8 +36,8 @@ class Candidate:
         Of the minimum of speed here, in log speed; 0 where there is none.
     rest_s : float
         How long the hand rests here.
-    bend : float
-        1 - cos of the angle between the ways to and from here, over 2, in [0, 1].
+    slow, bend, veer : float
+        How the motion passes here, told by `assistant.learning.passing`.
     gripper : bool
         The gripper crossed half its travel here.
     jolt : float
@@ -56,7 +56,9 @@ class Candidate:
     at_s: float
     depth: float = 0.0
     rest_s: float = 0.0
+    slow: float = 0.0
     bend: float = 0.0
+    veer: float = 0.0
     gripper: bool = False
     jolt: float = 0.0
     heard: bool = False
@@ -89,12 +91,11 @@ def gather(
     minima = tuple(sorted(minima, key=lambda spot: -spot.depth)[: signals.most_candidates])
     merged = _merged(events, minima, shaken, smoothed)
     inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]
-    bends = _bends(np.array([c.at_s for c in inside]), smoothed)
     settling = _settling(inside, smoothed, settings)
     step = float(np.median(np.diff(smoothed.t_s)))
     found = tuple(
-        replace(c, bend=float(b), blur_s=_blur(c, step, settings), settling=float(s))
-        for c, b, s in zip(inside, bends, settling, strict=True)
+        replace(c, blur_s=_blur(c, step, settings), settling=float(s))
+        for c, s in zip(inside, settling, strict=True)
     )
     return Evidence(smoothed, speed, events, minima, shaken, found)
 
@@ -144,7 +145,10 @@ def _blur(candidate: Candidate, step_s: float, settings: SegmentationSettings) -
         return 0.1 * step_s
     if candidate.jolt > 0.0:
         return settings.jolts.blur_s
-    return float(np.hypot(given.blur_of_rest * candidate.rest_s, given.blur_steps * step_s))
+    # Where the hand hardly slows down, the minimum wanders; where it stops, it is sharp.
+    shallow = given.blur_shallow_s * float(np.clip(given.clear_depth - candidate.depth, 0.0, 1.0))
+    told = (given.blur_least_s, given.blur_of_rest * candidate.rest_s, given.blur_steps * step_s)
+    return float(np.linalg.norm([*told, shallow]))
 
 
 def _settling(
@@ -162,24 +166,3 @@ def _settling(
         if not (here.gripper or then.gripper or here.jolt or then.jolt or here.part or then.part):
             settling[k] = np.exp(-0.5 * (moved[k] / settings.signals.correction) ** 2)
     return settling
-
-
-def _bends(at_s: Array, smoothed: Smoothed) -> Array:
-    """Return how much the way turns at instants, over a tenth of the motion's extent."""
-    if len(at_s) == 0:
-        return np.zeros(0)
-    xyz, t_s = smoothed.path[:, :3], smoothed.t_s
-    stride = max(len(t_s) // 1500, 1)
-    xyz, t_s = xyz[::stride], t_s[::stride]
-    reach = 0.1 * float(np.linalg.norm(np.ptp(xyz, axis=0))) + 1e-6
-    bends = np.zeros(len(at_s))
-    for k, at in enumerate(at_s):
-        here = int(np.clip(np.searchsorted(t_s, at), 0, len(t_s) - 1))
-        away = xyz - xyz[here]
-        far = np.linalg.norm(away, axis=1) > reach
-        before, after = np.flatnonzero(far[:here]), np.flatnonzero(far[here:])
-        if len(before) and len(after):
-            way_in, way_out = -away[before[-1]], away[here + after[0]]
-            cos = way_in @ way_out / (np.linalg.norm(way_in) * np.linalg.norm(way_out))
-            bends[k] = 0.5 * (1.0 - cos)
-    return bends

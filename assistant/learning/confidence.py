@@ -32,21 +32,22 @@ half second alone; ``gripper``: it acted here; ``heard``: proposed by a cue only
 motion without cues is cut here too; ``near``: log odds that anything is cut near.
 """
 
-WEIGHTS = np.array([0.20, 0.23, 1.07, 0.66, 0.21, 0.25])
-BIAS = -0.79
+WEIGHTS = np.array([0.12, 0.32, 0.59, 1.42, -0.05, 0.28])
+BIAS = -0.78
 """Source: `python -m tests.benchmarks.bench_confidence --fit`."""
 
-WHOLE_FEATURES = ("product", "whole", "timely", "silent", "unlike")
+WHOLE_FEATURES = ("product", "whole", "timely", "silent", "orphans", "moved", "unlike")
 """What the confidence in all cuts together is made of.
 
 ``product``: log odds that all are right if they were independent; ``whole``: of the decoder's
 share of readings with just these cuts and primitives; ``timely``: that all are within half a
-second; ``silent``: cuts that no cue tells; ``unlike``: primitives left empty and steps nobody
-introduced.
+second; ``silent``: cuts that neither a cue nor the gripper tells; ``orphans``: cues that tell no
+cut; ``moved``: cuts that the motion without cues does not have; ``unlike``: primitives left empty
+and steps nobody introduced.
 """
 
-WHOLE_WEIGHTS = np.array([0.64, 0.19, 0.12, -0.07, -2.77])
-WHOLE_BIAS = -0.24
+WHOLE_WEIGHTS = np.array([0.61, 0.14, 0.13, -0.23, -0.31, -0.05, -2.9])
+WHOLE_BIAS = 0.27
 """Source: as above."""
 
 _NEAR_S = 0.25
@@ -104,16 +105,22 @@ def all_right(understood: Understood, confidences: Array, cues_s: Array) -> floa
 
 
 def whole_features(understood: Understood, confidences: Array, cues_s: Array) -> Array:
-    """Return the values of `WHOLE_FEATURES`, shape (5,)."""
+    """Return the values of `WHOLE_FEATURES`, shape (7,)."""
     taken, nodes = understood.reading.taken, understood.reading.nodes[1:-1]
-    silent = [not _spoken(float(understood.at_s[node]), cues_s) for node in nodes]
+    cuts_s = understood.at_s[list(nodes)]
+    silent = [
+        not (_spoken(at_s, cues_s) or understood.candidates[node - 1].gripper)
+        for node, at_s in zip(nodes, cuts_s.tolist(), strict=True)
+    ]
     unnamed = sum(position is None for position in taken)
     return np.array(
         [
             _log_odds(float(np.prod(confidences))),
             _log_odds(understood.whole_chance),
             _log_odds(math.prod(_timely(understood, node, cues_s) for node in nodes)),
-            float(sum(silent)) if len(cues_s) else 0.0,
+            float(sum(silent)),
+            float(sum(not _spoken(at_s, cuts_s) for at_s in cues_s.tolist())),
+            float(sum(not _agrees(understood, at_s) for at_s in cuts_s.tolist())),
             float(unnamed + len(understood.order) - (len(taken) - unnamed)),
         ]
     )

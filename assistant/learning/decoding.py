@@ -68,8 +68,8 @@ class Reading:
 def decode(lattice: Lattice) -> Reading:
     """Return the best reading and the probabilities of its parts."""
     score, nodes, taken = _best(lattice)
-    ahead, ahead_skipped = _forward(lattice)
-    behind = _backward(lattice)
+    ahead, ahead_skipped = forward(lattice)
+    behind = backward(lattice)
     total = float(ahead_skipped[-1, -1])
     cut = log_sum(ahead + behind, 1) - total
     step = np.full((len(lattice.cuts), lattice.steps.shape[2]), -np.inf)
@@ -135,7 +135,7 @@ def log_sum(values: Array, axis: int) -> Array:
     return np.asarray(told + np.squeeze(top, axis=axis))
 
 
-def _forward(lattice: Lattice) -> tuple[Array, Array]:
+def forward(lattice: Lattice) -> tuple[Array, Array]:
     """Return what leads to an instant: before skipping, and with skips taken there.
 
     Primitives are skipped right before a named stretch or at the end, nowhere else: so each
@@ -162,7 +162,7 @@ def _sum_skips(row: Array, skips: Array) -> Array:
     return out
 
 
-def _backward(lattice: Lattice) -> Array:
+def backward(lattice: Lattice) -> Array:
     """Return what follows an instant, skips taken there included."""
     n, _, m = lattice.steps.shape
     behind = np.full((n, m + 1), -np.inf)

@@ -7,74 +7,16 @@ Factors as in the paper: (a) the motion's character against the action, (b) sali
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from assistant.geometry import Array, quat_inverse, quat_multiply, quat_to_rotvec, rotate_vector
+from assistant.geometry import Array, rotate_vector
 from assistant.learning.candidates import Evidence
 from assistant.learning.character import AXES
+from assistant.learning.stretches import Stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Primitive, Task, TaskObject, primitives
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Stretches:
-    """All stretches between pairs of instants; arrays have shape (n, n, ...), from row to column.
-
-    Parameters
-    ----------
-    at_s : array, shape (n,)
-        Start, candidates, end.
-    xyz : array, shape (n, 3)
-    ways : array, shape (n, n, 3)
-        Displacements in m.
-    turns : array, shape (n, n, 3)
-        Rotation vectors in the base frame, rad.
-    lasting_s : array, shape (n, n)
-    inside, at_end : mapping of event kind to array, shape (n, n)
-        Gripper events strictly within a stretch, and at its end.
-    extent_m : float
-        Of the whole motion.
-    """
-
-    at_s: Array
-    xyz: Array
-    quats: Array
-    ways: Array
-    turns: Array
-    lasting_s: Array
-    inside: dict[str, Array]
-    at_end: dict[str, Array]
-    extent_m: float
-
-
-def stretches(at_s: Array, evidence: Evidence, near_s: float = 1e-6) -> Stretches:
-    """Return all stretches between the given instants; events so near to one are at it."""
-    t_s, path = evidence.smoothed.t_s, evidence.smoothed.path
-    here = np.clip(np.searchsorted(t_s, at_s), 0, len(t_s) - 1)
-    xyz, quats = path[here, :3], path[here, 3:]
-    turned = quat_to_rotvec(quat_multiply(quats[None, :], quat_inverse(quats)[:, None]))
-    inside: dict[str, Array] = {}
-    at_end: dict[str, Array] = {}
-    for kind in ("close", "open"):
-        events = np.array([e.at_s for e in evidence.events if e.kind == kind])
-        upto = np.searchsorted(events, at_s + near_s, side="right").astype(float)
-        before = np.searchsorted(events, at_s - near_s, side="left").astype(float)
-        inside[kind] = np.maximum(before[None, :] - upto[:, None], 0.0)
-        at_end[kind] = np.broadcast_to((upto - before)[None, :], inside[kind].shape)
-    return Stretches(
-        at_s=at_s,
-        xyz=xyz,
-        quats=quats,
-        ways=xyz[None, :] - xyz[:, None],
-        turns=turned,
-        lasting_s=at_s[None, :] - at_s[:, None],
-        inside=inside,
-        at_end=at_end,
-        extent_m=float(np.linalg.norm(np.ptp(path[:, :3], axis=0))) + 1e-6,
-    )
 
 
 def fits(
@@ -91,6 +33,7 @@ def fits(
     usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
+    holding = {} if told or not seen else _holding(leaves, task)
     alike = {
         known.name: [places[one.name] for one in task.objects if _rival(known, one, places)]
         for known in task.objects
@@ -98,6 +41,7 @@ def fits(
     scores = [
         _character(leaf, task, between, seen, settings)
         + _events(leaf, task, between, seen, told, settings)
+        - settings.decoding.event * _otherwise(between, holding.get(leaf.name))[:, None]
         + _objects(leaf, {} if leaf.name in moved else places, between, settings)
         + _elsewhere(leaf, {} if leaf.name in moved else places, alike, between, settings)
         + _lasting(leaf, between, usual_s, settings)
@@ -167,8 +111,12 @@ def _character(
         wide -= given.idle * np.exp(-share / 0.03)
         return np.asarray(wide if seen else wide - 0.5 * given.wide * share)
     if leaf.action.verb == "turn":
-        return given.direction * _turning(leaf.action.way, between)
+        # Who only turns goes nowhere.
+        wide = 0.5 * given.wide * np.maximum(share - 0.3, 0.0)
+        return np.asarray(given.turning * _turning(leaf.action.way, between) - wide)
     axis = AXES.get(leaf.action.way)
+    # One step goes one way: what wanders or comes back is two.
+    still -= given.straight * between.longer
     if leaf.action.verb == "free" or axis is None:
         return np.asarray(still)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
@@ -176,9 +124,10 @@ def _character(
     if known is not None and known.role == "target":
         # "Down to the target" says where the way ends: it may come from the side.
         return np.asarray(given.direction * np.maximum(along, 0.0) + still)
-    # Hardly anybody says "up" of a motion that goes aside.
-    astray = np.maximum(given.clear_along - along, 0.0)
-    return np.asarray(given.direction * along - given.astray * astray + still)
+    # A thing goes the way that is said; a hand that only leaves may go aside.
+    weight = given.astray if known is None else given.thing_astray
+    astray = weight * np.maximum(given.clear_along - along, 0.0)
+    return np.asarray(given.direction * along - astray + still)
 
 
 def _turning(way: str, between: Stretches) -> Array:
@@ -231,6 +180,29 @@ def _events(
         elif kind == ends and leaf.action.way not in ("depart", "up"):
             score += 0.5 * given.event * between.at_end[kind]
     return score
+
+
+def _holding(leaves: Sequence[Primitive], task: Task) -> dict[str, bool]:
+    """Return whether each primitive begins with something in the hand, as far as it is told.
+
+    Where nobody speaks of the hand, going to an object ends in closing it, to a target in opening.
+    """
+    found: dict[str, bool] = {}
+    held: bool | None = None
+    for leaf in leaves:
+        if held is not None:
+            found[leaf.name] = held
+        known = task.object(leaf.action.object or "")
+        if known is not None and leaf.action.way not in ("depart", "up"):
+            held = {"object": True, "target": False}.get(known.role, held)
+    return found
+
+
+def _otherwise(between: Stretches, held: bool | None) -> Array:
+    """Return where a stretch begins with a hand that is not as told, shape (n,)."""
+    if held is None:
+        return np.zeros(len(between.at_s))
+    return np.asarray(between.held != held, dtype=float)
 
 
 def _objects(
@@ -287,6 +259,4 @@ def _lasting(
     lasting = np.maximum(between.lasting_s, 1e-3)
     off = np.log(lasting / usual)
     short = np.where(lasting < settings.validity.least_s, -3.0, 0.0)
-    if leaf.action.verb != "hand":
-        short -= settings.decoding.soon * np.maximum(np.log(0.15 * usual / lasting), 0.0)
     return np.asarray(-0.5 * settings.decoding.lasting * off**2 + short)

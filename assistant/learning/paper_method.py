@@ -9,9 +9,10 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.decoding import Reading
-from assistant.learning.fit import fits, stretches
+from assistant.learning.fit import fits
 from assistant.learning.points import signal_votes
 from assistant.learning.reading import Understood
+from assistant.learning.stretches import stretches
 from assistant.learning.validity import validity
 from assistant.learning.votes import overall, peaks
 from assistant.model.demonstration import Demonstration

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from assistant.learning.candidates import Evidence
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode, Question, SegmentationPoint
-from assistant.model.task import Task, primitives
+from assistant.model.task import Primitive, Task, primitives
 
 UNSURE = 0.7
 """The robot asks if its confidence that all cuts are right lies below.
 
 Between asking about every lesson that went wrong and about none that went right; the curve is
 printed by `tests.benchmarks.bench_confidence`.
+"""
+
+LEFT_OUT = 0.2
+"""If steps were more likely than this never shown, the likeliest is asked about, though seen.
+
+What was introduced is seldom left out; but who forgets a step has to be told.
 """
 
 
@@ -24,6 +32,7 @@ def questions(
     points: tuple[SegmentationPoint, ...],
     episodes: tuple[Episode, ...],
     all_right: float = 1.0,
+    left_out: Mapping[str, float] = MappingProxyType({}),
 ) -> tuple[Question, ...]:
     """Return the questions in the order in which they should be asked.
 
@@ -36,14 +45,19 @@ def questions(
     episodes : tuple of Episode
     all_right : float
         Probability that all cuts are right.
+    left_out : mapping of str to float
+        Probabilities that primitives were never shown, though episodes are assigned to them.
     """
     leaves = primitives(task.tree)
-    shown = [episode.primitive for episode in episodes if episode.primitive is not None]
-    counts: dict[str, object] = {"introduced": len(leaves), "shown": len(episodes)}
+    seen = {episode.primitive for episode in episodes}
+    doubted = _doubted(leaves, left_out)
+    # What may be another step, or none, is not counted as shown.
+    shown = len(episodes) - len(doubted & seen)
+    counts: dict[str, object] = {"introduced": len(leaves), "shown": shown}
     found = [
         _ask("missing_step", leaf.name, "never_shown", counts)
         for leaf in leaves
-        if leaf.name not in shown and not leaf.optional
+        if leaf.name not in seen - doubted and not leaf.optional
     ]
     found += [
         _ask(
@@ -63,6 +77,14 @@ def questions(
         for a, b in evidence.smoothed.gaps_s
     ]
     return tuple(found)
+
+
+def _doubted(leaves: Sequence[Primitive], left_out: Mapping[str, float]) -> set[str]:
+    """Return the primitives likeliest left out, as many as were by the sum of the chances."""
+    chances = {leaf.name: left_out.get(leaf.name, 0.0) for leaf in leaves if not leaf.optional}
+    count = math.ceil(sum(chances.values()) - LEFT_OUT)
+    likeliest = sorted(chances, key=lambda name: -chances[name])[: max(count, 0)]
+    return {name for name in likeliest if chances[name] > 0.5 * LEFT_OUT}
 
 
 def _unsure(points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...]) -> list[Question]:

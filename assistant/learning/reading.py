@@ -12,11 +12,12 @@ from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.introduction import orders, other_orders
+from assistant.learning.passing import passed
 from assistant.learning.posterior import cut_shares, whole_evidence
 from assistant.learning.scoring import heard_lattice, motion_lattice, reordered, told_lattice
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import SegmentationSettings
-from assistant.model.task import Task
+from assistant.model.task import Task, primitives
 
 _SAME_CUT_S = 0.4
 """Cuts so near to each other are one and the same."""
@@ -66,6 +67,16 @@ class Understood:
         """Return which leaf of the tree a position of the reading is."""
         return None if position is None else self.order[position]
 
+    def left_out(self) -> dict[int, float]:
+        """Return how likely each leaf of the tree was never shown, where that was decoded."""
+        if self.lattice is None:
+            return {}
+        shown = np.sum(self.reading.step_chances, axis=0)
+        return {
+            leaf: float(np.clip(1.0 - chance, 0.0, 1.0))
+            for leaf, chance in zip(self.order, shown, strict=True)
+        }
+
 
 def read(
     demonstration: Demonstration,
@@ -76,6 +87,8 @@ def read(
     """Return the best reading; the teacher's lag and the cuts sharpen each other."""
     cues_s = np.array([cue.at_s for cue in demonstration.cues])
     end_s = float(evidence.smoothed.t_s[-1])
+    usual_s = _usual_s(task, evidence)
+    evidence = replace(evidence, candidates=passed(evidence.candidates, evidence, usual_s))
     understood = _read(demonstration, task, evidence, settings, evidence.candidates, cues_s, None)
     alone_s = tuple(understood.at_s[list(understood.reading.nodes[1:-1])].tolist())
     if len(cues_s) == 0:
@@ -97,6 +110,11 @@ def read(
     return replace(best, at_s=_refined(best, cues_s), alone_s=alone_s)
 
 
+def _usual_s(task: Task, evidence: Evidence) -> float:
+    """Return the mean time from one introduced cut to the next."""
+    return float(np.ptp(evidence.smoothed.t_s)) / max(len(primitives(task.tree)), 1)
+
+
 def _usual(way: Understood, settings: SegmentationSettings) -> float:
     """Return how usual a teacher's lag is, in log odds."""
     given = settings.cues
@@ -114,8 +132,9 @@ def _with_lags(
 ) -> list[Understood]:
     """Return the readings with each of several lags."""
     found = []
+    usual_s = _usual_s(task, evidence)
     for lag in lags:
-        candidates = _with_heard(evidence, cues_s, lag)
+        candidates = _with_heard(evidence, cues_s, lag, usual_s)
         found.append(_read(demonstration, task, evidence, settings, candidates, cues_s, lag))
     return found
 
@@ -174,7 +193,9 @@ def read_cuts(
     return _read(demonstration, task, evidence, settings, told, np.zeros(0), None, fixed=True)
 
 
-def _with_heard(evidence: Evidence, cues_s: Array, lag: Lag) -> tuple[Candidate, ...]:
+def _with_heard(
+    evidence: Evidence, cues_s: Array, lag: Lag, usual_s: float
+) -> tuple[Candidate, ...]:
     """Add an instant for each cue where no signal proposes one."""
     begin_s, end_s = float(evidence.smoothed.t_s[0]), float(evidence.smoothed.t_s[-1])
     known = np.array([spot.at_s for spot in evidence.candidates])
@@ -184,7 +205,8 @@ def _with_heard(evidence: Evidence, cues_s: Array, lag: Lag) -> tuple[Candidate,
         for at in np.unique(cues_s - lag.best_s)
         if begin_s + 0.2 < at < end_s - 0.2 and not np.any(np.abs(known - at) < blur)
     ]
-    return tuple(sorted([*evidence.candidates, *heard], key=lambda spot: spot.at_s))
+    told = passed(heard, evidence, usual_s)
+    return tuple(sorted([*evidence.candidates, *told], key=lambda spot: spot.at_s))
 
 
 def _read(

@@ -14,7 +14,8 @@ from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import Lag, support
 from assistant.learning.decoding import Lattice
-from assistant.learning.fit import fits, stretches
+from assistant.learning.fit import fits
+from assistant.learning.stretches import stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
@@ -102,9 +103,10 @@ def local_scores(candidates: Sequence[Candidate], usual_s: float, given: Decodin
     return np.array(
         [
             given.bias
-            + given.depth * min(spot.depth, given.deepest)
+            + given.slow * spot.slow
             + given.rest * np.log1p(spot.rest_s / (0.1 * usual_s))
             + given.bend * spot.bend
+            + given.veer * spot.veer
             + given.gripper * spot.gripper
             + given.jolt * np.log1p(spot.jolt)
             - given.part * spot.part

@@ -136,15 +136,16 @@ def _told(
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
     found = points(understood, evidence, votes, cues_s, settings)
     parts = _reassigned(episodes(understood, evidence, leaves), assigned, task)
-    sure = 1.0
+    sure, left_out = 1.0, dict[str, float]()
     if not told:
+        left_out = {leaves[k].name: chance for k, chance in understood.left_out().items()}
         cuts = [point.confidence for point in found if point.kept and not point.internal]
         sure = all_right(understood, np.array(cuts), cues_s)
     return Segmentation(
         points=found,
         episodes=parts,
         cue_lag_s=lag_s,
-        questions=questions(task, demonstration, evidence, found, parts, sure),
+        questions=questions(task, demonstration, evidence, found, parts, sure, left_out),
         vote_t_s=evidence.smoothed.t_s,
         vote=overall(votes, settings.votes.weights),
         signal_votes=MappingProxyType(votes),

@@ -27,6 +27,7 @@ from assistant.model.task import Action, Primitive, Subtask, Task, primitives
 from tests.benchmarks import segmentation_peers as peers
 from tests.benchmarks.segmentation_lessons import (
     episodes_right,
+    orders_recognized,
     other_length,
     ours,
     steps_named,
@@ -214,6 +215,7 @@ def report(name: str, shows: list[Shown], *, quick: bool) -> None:
         print(line + f"  {each_ms:7.1f}", flush=True)
     own, true = (episodes_right(shows, true_cuts=given) for given in (False, True))
     print(f"  episodes right: on own cuts {own:.3f}, on true cuts {true:.3f}")
+    print(f"  shown in another order than told, recognized: {orders_recognized(shows)}")
     print(f"  steps named in a question: {steps_named(shows)}")
     print(f"  confidence: {confidence_line(shows)}", flush=True)
 

@@ -76,3 +76,14 @@ def steps_named(shows: list[Shown]) -> str:
             for one in ours(long).questions
         )
     return f"never introduced {unheard}/{left_out}, never shown {unseen}/{len(shows)}"
+
+
+def orders_recognized(shows: list[Shown]) -> str:
+    """Return of how many lessons shown in another order than told the order was recognized."""
+    other = [one for one in shows if one.names != _told_names(one)[: len(one.names)]]
+    right = sum(tuple(e.primitive for e in ours(one).episodes) == one.names for one in other)
+    return f"{right}/{len(other)}"
+
+
+def _told_names(shown: Shown) -> tuple[str, ...]:
+    return tuple(leaf.name for leaf in primitives(shown.task.tree))

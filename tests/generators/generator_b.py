@@ -15,10 +15,11 @@ import numpy as np
 from assistant.geometry import Array, quat_from_rotvec, quat_from_rpy, quat_multiply
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Action, Order, Primitive, Subtask, Task, TaskObject
+from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
 from tests.generators.shown import Habit, Shown, spoken_cues
 
 _WIDE_M, _NARROW_M = 0.085, 0.03
+_FREED = 0.6
 
 
 @dataclass(slots=True)
@@ -131,25 +132,28 @@ def generate(seed: int, habit: Habit = "fluent") -> Shown:
     recording, warp = _recorded(track, habit)
     cuts = [float(np.interp(cut, *warp)) for cut in story.cuts]
     cues = spoken_cues(cuts, float(recording.t_s[-1]), rng)
-    bodies, order, places = told
-    task = Task(kind, Subtask(kind, _grouped(story.leaves, order), order=order), objects=bodies)
+    bodies, places = told
     setup = Setup(places=places if rng.random() < 0.5 else {})
+    # Drawn apart, so that what is shown does not depend on how it was introduced. Where nobody
+    # tells where things are, nobody can tell which of two came first.
+    freed = bool(setup.places) and np.random.default_rng([seed, 23]).random() < _FREED
+    parts = _freed(story.leaves) if freed else tuple(story.leaves)
+    task = Task(kind, Subtask(kind, parts), objects=bodies)
     shown = Demonstration(recording, cues, setup=setup, source=f"b {habit} {seed}")
     return Shown(shown, task, tuple(cuts), tuple(leaf.name for leaf in story.leaves))
 
 
-Told = tuple[tuple[TaskObject, ...], Order, dict[str, Place]]
+Told = tuple[tuple[TaskObject, ...], dict[str, Place]]
 
 
-def _grouped(leaves: list[Primitive], order: Order) -> tuple[Subtask | Primitive, ...]:
-    """Return leaves; where parts come in any order, each thing's leaves are one part."""
-    if order == "sequential":
+def _freed(leaves: list[Primitive]) -> tuple[Subtask | Primitive, ...]:
+    """Return two things' leaves as parts of any order, the one shown last told first."""
+    of = {k: tuple(leaf for leaf in leaves if leaf.name.endswith(k)) for k in ("1", "2")}
+    if not of["2"]:
         return tuple(leaves)
-    names = list(dict.fromkeys(leaf.name.rsplit(" ", 1)[1] for leaf in leaves))
-    return tuple(
-        Subtask(f"part {name}", tuple(x for x in leaves if x.name.endswith(f" {name}")))
-        for name in names
-    )
+    parts = (Subtask("the other", of["2"]), Subtask("the one", of["1"]))
+    rest = tuple(leaf for leaf in leaves if leaf not in of["1"] + of["2"])
+    return (Subtask("both", parts, order="any"), *rest)
 
 
 def _spot(rng: np.random.Generator, side: float) -> tuple[Array, Array]:
@@ -203,7 +207,7 @@ def _carry(story: Story) -> Told:
         story.begin("go home", Action("move", "up"), cut)
         track = story.track
         track.go(track.place + np.array([-0.05, 0.0, 0.2]), np.zeros(3), story.speed)
-    return tuple(bodies), "sequential", places
+    return tuple(bodies), places
 
 
 def _stack(story: Story) -> Told:
@@ -219,7 +223,7 @@ def _stack(story: Story) -> Told:
         closed = _fetch(story, f"brick{k}", *here, cut)
         top = base[0] + np.array([0.0, 0.0, 0.05 * k])
         cut = _deliver(story, f"brick{k}", "base", top, base[1], closed)
-    return tuple(bodies), "sequential", places
+    return tuple(bodies), places
 
 
 def _pour(story: Story) -> Told:
@@ -240,7 +244,7 @@ def _pour(story: Story) -> Told:
     story.begin("go back", Action("move", "backward"), opened)
     track.go(track.place - np.array([0.12, 0.0, 0.0]), track.turn, story.speed)
     bodies = (TaskObject("jug", "object"), TaskObject("bowl", "target"))
-    return bodies, "sequential", {"jug": _told(*here), "bowl": _told(*there)}
+    return bodies, {"jug": _told(*here), "bowl": _told(*there)}
 
 
 def _push(story: Story) -> Told:
@@ -256,7 +260,7 @@ def _push(story: Story) -> Told:
         track.go(track.place + np.array(way, dtype=float), track.turn, 0.6 * story.speed)
     story.begin("rise", Action("move", "up"))
     track.go(track.place + np.array([0.0, 0.0, rng.uniform(0.1, 0.2)]), track.turn, story.speed)
-    return (TaskObject("box", "object"),), "sequential", {"box": _told(*here)}
+    return (TaskObject("box", "object"),), {"box": _told(*here)}
 
 
 def _recorded(track: Track, habit: Habit) -> tuple[Recording, tuple[Array, Array]]:

@@ -87,3 +87,16 @@ def test_empty_and_unknown_steps_are_named_and_optional_ones_are_not() -> None:
 def test_gaps_are_told() -> None:
     found = asked((cut(0.99),), (FIRST, SECOND), gap=True)
     assert [question.reason for question in found] == ["gap"]
+
+
+def test_the_step_likeliest_left_out_is_asked_for_even_where_a_part_may_be_it() -> None:
+    shown, evidence = given()
+    parts = (FIRST, SECOND)
+
+    def named(chances: dict[str, float]) -> list[tuple[str, object]]:
+        found = questions(TASK, shown, evidence, (cut(0.99),), parts, 1.0, chances)
+        return [(one.about, one.facts["shown"]) for one in found if one.reason == "never_shown"]
+
+    assert named({"go up": 0.3, "go left": 0.05}) == [("go up", 1)]
+    assert named({"go up": 0.6, "go left": 0.4}) == [("go up", 1)]
+    assert named({"go up": 0.1, "go left": 0.05, "wave": 0.9}) == []
