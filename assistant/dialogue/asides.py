@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+from assistant.dialogue.adding import plan_corrected
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
@@ -44,7 +45,7 @@ def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) ->
     if dialogue.busy or isinstance(dialogue.state, Opening | Closed | Watching | Thinking):
         return None
     calm = replace(dialogue, misses=0)
-    for reply in (_person, _courtesy, slip, _late, _standing, _puzzled, _fresh):
+    for reply in (_person, _courtesy, plan_corrected, slip, _late, _standing, _puzzled, _fresh):
         turn = reply(calm, words, tuple(meant))
         if turn is not None:
             return turn

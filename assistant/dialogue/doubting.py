@@ -9,8 +9,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask, question, tell
+from assistant.dialogue.finding import candidates
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import begins_or_ends_with_verb, is_odd, steps_in, tidy
+from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.turn import Turn, Words, first, line, say
 from assistant.model import teacher_acts as acts
@@ -23,6 +25,7 @@ GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown", "stands_elsewhere
 """Questions whether the robot's guess is what was meant; who says something else answers it."""
 IN_ANY_WORDS = ("task_name", "goal", "objects", "subtask_name", "actions")
 """Questions whose answer may be any words."""
+_ONE_STEP = (acts.RemoveSubtask, acts.Split, acts.Optional, acts.Required)
 _NO_PLACE = (
     acts.Unknown,
     acts.Inform,
@@ -58,7 +61,11 @@ def doubted(
     """
     if isinstance(dialogue.state, Watching) and not _ends(meant):
         return dialogue, ()
-    instead = _steps_listed(dialogue, words) or _place_shown(dialogue, meant)
+    instead = (
+        _steps_listed(dialogue, words)
+        or _place_shown(dialogue, meant)
+        or _no_such_step(dialogue, meant)
+    )
     if instead is not None:
         return instead
     if _says_yes_or_no(meant) and dialogue.pending is not None:
@@ -95,6 +102,15 @@ def _fresh(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
 
 def _ends(meant: tuple[acts.TeacherAct, ...]) -> bool:
     return any(isinstance(act, acts.Approve | acts.Affirm) for act in meant)
+
+
+def _no_such_step(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    """Tell that no step is called what one change of the plan refers to."""
+    only, there = (meant[0] if len(meant) == 1 else None), names(dialogue.known.root)
+    if not isinstance(only, _ONE_STEP) or not there or candidates(dialogue.known, only.subtask):
+        return None
+    told = line("error", "no_such_step", name=only.subtask, names=list(there))
+    return tell(replace(dialogue, misses=dialogue.misses + 1), told)
 
 
 def _says_yes_or_no(meant: tuple[acts.TeacherAct, ...]) -> bool:

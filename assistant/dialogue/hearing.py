@@ -27,7 +27,7 @@ from assistant.dialogue.otherwise import (
     taken_back,
     wants_other,
 )
-from assistant.dialogue.plain_answers import answers_plainly, tells_body, told_steps
+from assistant.dialogue.plain_answers import answers_plainly, counted_steps, tells_body, told_steps
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
 from assistant.dialogue.slips import BEGIN_ANEW
@@ -97,6 +97,9 @@ def _told_plainly(
     dialogue: Dialogue, event: Heard, meant: tuple[acts.TeacherAct, ...], words: Words
 ) -> Turn | None:
     """Answer a list of steps, or a size, that was asked for."""
+    counted = counted_steps(dialogue, words.text, meant)
+    if counted and not heard_names.misheard(event):
+        return one_question(act_on_all(dialogue, counted, words))
     steps = told_steps(dialogue, words.text, meant)
     if steps and heard_names.misheard(event):
         return heard_names.read_back(dialogue, (acts.Inform(steps),), steps, words)
@@ -229,16 +232,25 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
             return fresh(free)
         case acts.Affirm() | acts.Approve() | acts.Start():
             return act_on_all(free, pending.acts, confirmed)
-        case acts.Deny() if pending.line.topic == heard_names.TOPIC:
-            return tell(free, line("told", "say_or_spell"))
-        case acts.Deny() if is_guess(pending) and pending.other:
-            return guessed_other(dialogue)
-        case acts.Deny() if is_guess(pending):
-            return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
-        case acts.Deny():
+        case acts.Undo() if is_guess(pending):
+            # "Scratch that" to a guess takes the guess back, not what was done before.
             return tell(free, line("told", "as_it_was"))
+        case acts.Deny():
+            return _denied(dialogue, pending)
         case _:
             return None
+
+
+def _denied(dialogue: Dialogue, pending: Pending) -> Turn:
+    """Take a no to a question in between; where there is another reading, read that back."""
+    free = replace(dialogue, pending=None)
+    if pending.line.topic == heard_names.TOPIC:
+        return tell(free, line("told", "say_or_spell"))
+    if is_guess(pending) and pending.other:
+        return guessed_other(dialogue)
+    if is_guess(pending):
+        return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
+    return tell(free, line("told", "as_it_was"))
 
 
 def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Turn:

@@ -32,15 +32,7 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     """Put a thing where the teacher says; numbers that were not typed are confirmed first."""
     if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
-    known = dialogue.known
-    thing = thing_named(known, act.object)
-    # "A flat box 12 by 12 by 1" tells a size, however much it looks like a place.
-    if (
-        not thing
-        and isinstance(dialogue.state, Introducing)
-        and not matter(act.object, "shapes", dialogue.language)
-    ):
-        thing = dialogue.state.thing
+    known, thing = dialogue.known, _thing_meant(dialogue, act)
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))
         return tell(dialogue, told)
@@ -58,6 +50,16 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     others = [one.name for one in known.objects or () if one.name != thing]
     other = (replace(act, object=others[0]),) if len(others) == 1 else ()
     return with_other(dialogue, done[0], other, Words(words), act), done[1]
+
+
+def _thing_meant(dialogue: Dialogue, act: acts.SetPose) -> str:
+    """Return the thing a place is told of: the one named, else the one asked about."""
+    thing = thing_named(dialogue.known, act.object)
+    if thing or not isinstance(dialogue.state, Introducing):
+        return thing
+    # "A flat box 12 by 12 by 1" tells a size, however much it looks like a place.
+    sized = matter(act.object, "shapes", dialogue.language)
+    return "" if sized else dialogue.state.thing
 
 
 def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:

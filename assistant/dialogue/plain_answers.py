@@ -9,6 +9,7 @@ from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
 from assistant.language.actions import read_action
+from assistant.language.asides import recounted
 from assistant.language.bodies import read_body
 from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
@@ -53,6 +54,21 @@ def told_steps(
     named = state.asked == "subtask_name"
     parts = at(dialogue.known.root, state.index[:-1]).parts
     return listed_steps(text, len(parts) - state.index[-1] + 1 if named else 2, dialogue.language)
+
+
+def counted_steps(
+    dialogue: Dialogue, text: str, meant: tuple[acts.TeacherAct, ...]
+) -> tuple[acts.TeacherAct, ...]:
+    """Return the number and the steps of "three steps: fetch it, bring it and put it down"."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or state.asked != "subtask_count" or state.named:
+        return ()
+    if not all(isinstance(act, acts.Inform | acts.Unknown | acts.AddSubtask) for act in meant):
+        return ()
+    head, _, tail = text.partition(":") if ":" in text else text.partition(",")
+    count = recounted(head, dialogue.language)
+    steps = listed_steps(tail, count or 2, dialogue.language)
+    return (acts.Inform(count), acts.Inform(steps)) if count and steps else ()
 
 
 def tells_body(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:

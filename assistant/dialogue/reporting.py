@@ -258,17 +258,7 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
         return dialogue, ()
     if run.purpose == "replay":
         return reviewing.replayed(dialogue)
-    lacking = missing(dialogue.known, run)
-    complete = not lacking and all(measure.good for measure in report.measures)
-    result = RunResult(
-        run.setup,
-        run.pace,
-        run.corrected,
-        complete,
-        lacking,
-        report.alignments,
-        report.measures,
-    )
+    result = _result(dialogue, run, report)
     counts = result.complete and not (run.corrected or run.interrupted)
     clean = (*dialogue.clean, result) if counts else ()
     after = replace(
@@ -288,3 +278,16 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
         **result_slots(report.alignments, report.measures),
     )
     return tell(after, told)
+
+
+def _result(dialogue: Dialogue, run: Run, report: ArmReport) -> RunResult:
+    lacking = missing(dialogue.known, run)
+    return RunResult(
+        run.setup,
+        run.pace,
+        run.corrected,
+        not lacking and all(measure.good for measure in report.measures),
+        lacking,
+        report.alignments,
+        report.measures,
+    )

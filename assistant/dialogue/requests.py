@@ -93,6 +93,10 @@ def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
     if pending is not None and pending.asked == "unsaved":
         name = name or tidy_name(after(words.text, "yes_as", dialogue.language))
         return answer_unsaved(dialogue, Save(name)) if name else None
+    just_saved = any((said.act, said.topic) == ("done", "saved") for said in dialogue.said)
+    if just_saved and not name:
+        # "No, call it tower two": the version just saved was to have that name.
+        name = tidy_name(after(words.text, "naming", dialogue.language))
     if not name or pending is not None or not dialogue.known.name:
         return None
     return save(dialogue, name)

@@ -88,3 +88,12 @@ def test_a_list_in_unknown_verbs_is_asked_about_as_steps() -> None:
     names = [part.name for part in teacher.dialogue.known.root.parts]
     assert names[0] == "twizzle the pot"
     assert len(names) == 4
+
+
+def test_scratch_that_to_a_guess_takes_back_the_guess_alone() -> None:
+    teacher = Lessons().learned().hear(acts.AddSubtask("wait"), text="add a wait", sure=0.6)
+    assert teacher.topics == ["confirm.did_you_mean"]
+    before = teacher.dialogue.known
+    teacher.hear(acts.Undo(), text="scratch that")
+    assert teacher.topics == ["told.as_it_was", "confirm.segmentation"]
+    assert teacher.dialogue.known == before

@@ -215,3 +215,27 @@ def test_a_list_of_steps_answers_how_many_whatever_was_understood() -> None:
     teacher.hear(acts.Inform(2), text=said, sure=0.7)
     assert teacher.asked == "confirm_tree"
     assert tree_names(teacher) == ("approach the block", "grasp it", "lift it", "release it")
+
+
+@pytest.mark.parametrize(
+    ("text", "asked", "count"),
+    [
+        ("three steps: pick it up, carry it and put it down", "subtask_count", 3),
+        ("Three, pick it up, carry it over, put it down", "subtask_count", 3),
+        ("four: pick it up, carry it over, put it down", "subtask_name", 4),
+    ],
+)
+def test_a_number_and_the_steps_are_heard_in_one(text: str, asked: str, count: int) -> None:
+    teacher = Lessons().open().tell("task").tell("done").tell(("block", "target"))
+    teacher.hear(acts.Inform(count), text=text)
+    parts = teacher.dialogue.known.root.parts
+    assert len(parts) == count
+    assert parts[0].name == "pick it up"
+    assert teacher.asked == asked
+
+
+def test_a_number_that_the_steps_contradict_is_asked_about() -> None:
+    teacher = Lessons().open().tell("task").tell("done").tell(("block", "target"))
+    text = "two steps: pick it up, carry it over, put it down"
+    teacher.hear(acts.Inform(2), text=text)
+    assert teacher.topics == ["ask.count_contradicted"]

@@ -239,3 +239,12 @@ def test_why_the_arm_stands_is_told_truly() -> None:
     stopped = Lessons().ready().moving().hear(acts.Stop(), text="stop")
     stopped.hear(acts.Explain("why did you stop"), text="why did you stop")
     assert phrase(stopped.lines[0]) == "I stopped because you said stop."
+
+
+def test_another_name_right_after_saving_is_that_of_the_version() -> None:
+    teacher = Lessons().ready().hear(acts.Save("one"), text="save it as one")
+    teacher.happen(ev.Kept("one"))
+    assert "done.saved" in teacher.topics
+    teacher.hear(acts.Deny(), text="no, call it tower two")
+    (keeping,) = (one for one in teacher.effects if isinstance(one, fx.Keep))
+    assert keeping.name == "tower two"
