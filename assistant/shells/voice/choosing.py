@@ -18,9 +18,9 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Deny
 from assistant.shells.voice.deciding import Heard, Reading, decided, is_sure, means
-from assistant.shells.voice.phrasebank import mended, named, near
+from assistant.shells.voice.phrasebank import mended, named, near, related
 from assistant.shells.voice.recognizers import Weigher
-from assistant.shells.voice.repairing import counted, repaired
+from assistant.shells.voice.repairing import repaired, written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 from assistant.shells.voice.weighing import length_penalty, weighed
 
@@ -41,6 +41,7 @@ TEACHING = (
     "up", "down", "step", "task",
 )  # fmt: skip
 """Words that names of tasks, things and steps are made of."""
+THINGS = ("object", "target", "block", "cup", "box", "table", "lid", "hand")
 RARE = 4.5
 """Taken off readings that sound like a likelier word: nobody says "please" in a name, where
 "place" is common; while a hand shows the task "now" is a cue, and "no" answers nothing."""
@@ -129,7 +130,8 @@ class Chooser:
         return decided(shares, lambda text: meant[text])
 
     def _meaning(self, text: str, listening: Listening) -> Understanding:
-        return understand(counted(text, self._language), listening, self._language)
+        said = written(text, listening.asked, self._language)
+        return understand(said, listening, self._language)
 
     def _rare(self, text: str, listening: Listening) -> float:
         """Return what is taken off a reading that is hardly ever said here."""
@@ -157,7 +159,7 @@ class Chooser:
         if listening.asked not in OPEN:
             yield from islice(self._repaired(heard, listening), REPAIRS)
             return
-        yield from mended(heard, teaching_words(listening))
+        yield from rivals(heard, listening)
         if listening.asked == "subtask_name" and self._language == "english":
             yield from named(heard, (*listening.objects, "object", "target"), ALIKE)
 
@@ -177,6 +179,9 @@ def _is_sentence(text: str) -> bool:
     return len(text.split()) >= SENTENCE_WORDS
 
 
-def teaching_words(listening: Listening) -> tuple[str, ...]:
-    """Return words that names are made of here."""
-    return (*TEACHING, *" ".join(listening.objects).split())
+def rivals(heard: str, listening: Listening) -> tuple[str, ...]:
+    """Return names and lists that sound like one that was heard, one word of it changed."""
+    named_things = " ".join(listening.objects).split()
+    between = ("and",) if listening.asked == "objects" else ("on", "to", "in")
+    told = related(heard, (*named_things, *THINGS), between)
+    return (*mended(heard, (*TEACHING, *named_things)), *told)

@@ -78,6 +78,9 @@ _PLAIN = (
 """Acts without free words in them."""
 
 
+_SLURRED = frozenset(("it", "at", "a", "an", "but", "bet", "about", "that", "this", "of", "with"))
+"""What is left of "a bit" where it is said quickly: "move it to the left"."""
+_AMOUNTS = ("degree", "distance_m", "angle_deg", "factor")
 _TELLING = (acts.Explain, acts.KeyState)
 """Acts whose words are kept as they were said: however they are spelled they are one meaning."""
 
@@ -229,7 +232,15 @@ def trusted(reading: Reading, listening: Listening) -> bool:
     """Whether a quick reading needs no second opinion."""
     enough = len(reading.text.split()) >= ALONE_WORDS
     free = any(not isinstance(act, _PLAIN) or getattr(act, "where", None) for act in reading.acts)
-    return reading.commands and enough and not free and listening.asked not in OPEN
+    plain = reading.commands and enough and not free and listening.asked not in OPEN
+    return plain and not _may_have_lost_a_bit(reading)
+
+
+def _may_have_lost_a_bit(reading: Reading) -> bool:
+    """Whether "a bit" may have been said, which makes another amount of it."""
+    amounts = (act for act in reading.acts if hasattr(act, "degree"))
+    plain = any(not any(getattr(act, name, None) for name in _AMOUNTS) for act in amounts)
+    return plain and not _SLURRED.isdisjoint(reading.text.split())
 
 
 def voted(readings: Sequence[Reading], phrases: Sequence[str]) -> Heard | None:

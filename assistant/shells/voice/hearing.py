@@ -18,7 +18,7 @@ from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Stop, Unknown
-from assistant.shells.voice.choosing import Chooser, Said, teaching_words
+from assistant.shells.voice.choosing import Chooser, Said, rivals
 from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
@@ -34,9 +34,8 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.phrasebank import mended
 from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
-from assistant.shells.voice.repairing import counted
+from assistant.shells.voice.repairing import written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
 CLEAR_DB = 22.0
@@ -84,7 +83,7 @@ class Hearing:
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
         heard = self._heard(samples, listening)
-        return replace(heard, text=counted(heard.text, self._language))
+        return replace(heard, text=written(heard.text, listening.asked, self._language))
 
     def _heard(self, samples: Samples, listening: Listening) -> Heard:
         phrases = expected(listening, self._language)
@@ -118,7 +117,7 @@ class Hearing:
         free = listening.asked in OPEN and listening.asked != "subtask_count"
         named = voted(readings, phrases) if free else None
         sure = named is not None and named.understanding.confidence >= SURE
-        if named is not None and sure and not mended(named.text, teaching_words(listening)):
+        if named is not None and sure and not rivals(named.text, listening):
             return named
         if self._chooser is not None and readings:
             return self._chooser.choose(Said(samples, speech_s, readings, phrases, listening))
@@ -127,7 +126,8 @@ class Hearing:
     def _read(
         self, one: Recognized, weight: float, recognizer: str, listening: Listening
     ) -> Reading:
-        meant = understand(counted(one.text, self._language), listening, self._language)
+        text = written(one.text, listening.asked, self._language)
+        meant = understand(text, listening, self._language)
         return Reading(one.text, weight * one.sure, meant, recognizer)
 
     def _by_sound(

@@ -20,6 +20,8 @@ from assistant.shells.voice.phonemes import distance, phonemes
 
 MOST_WORDS = 2
 ALIKE = 0.4
+LITTLE = frozenset(("and", "an", "on", "in", "onto", "into", "to", "end", "at", "under"))
+"""Little words that are heard for each other."""
 Words = tuple[str, ...]
 
 
@@ -71,6 +73,32 @@ def mended(heard: str, words: Sequence[str]) -> tuple[str, ...]:
         for word in words
         if word != one and distance(phonemes(one), phonemes(word)) <= ALIKE
     )
+
+
+def related(heard: str, things: Sequence[str], relations: Sequence[str]) -> tuple[str, ...]:
+    """Return what was heard with one little word between two things changed.
+
+    Parameters
+    ----------
+    heard : str
+    things : sequence of str
+        Words for things.
+    relations : sequence of str
+        What may stand between two things here, such as "on" in a step's name.
+    """
+    told = heard.split()
+    return tuple(
+        " ".join((*told[:at], relation, *told[at + 1 :]))
+        for at in range(1, len(told) - 1)
+        if told[at] in LITTLE and told[at - 1] in things and _names_thing(told[at + 1 :], things)
+        for relation in relations
+        if relation != told[at]
+    )
+
+
+def _names_thing(words: Sequence[str], things: Sequence[str]) -> bool:
+    bare = [word for word in words[:2] if word not in ("the", "a")]
+    return bool(bare) and bare[0] in things
 
 
 def short_commands(language: str = "english") -> tuple[str, ...]:

@@ -15,6 +15,7 @@ from functools import cache
 from rapidfuzz import process
 from rapidfuzz.distance import Levenshtein
 
+from assistant.language.hints import hints
 from assistant.language.phrasebook import phrasebook
 from assistant.shells.voice.phonemes import distance, is_word, phonemes
 from assistant.shells.voice.phrasebank import letters, short_commands
@@ -36,18 +37,54 @@ CHANGED = 0.34
 
 WAYS = ("left", "right", "up", "down", "forward", "back", "lower", "higher", "slower", "faster")
 GOING = tuple(f"{verb} {way}" for verb in ("go", "move") for way in WAYS)
+AMOUNTS = ("a bit", "a little", "a lot")
 
 _MEASURE = r"(?=(?:and (?:a|one) half|centim\w+|millim\w+|degrees?|inch\w*|mm|cm|met(?:er|re)s)\b)"
 _COUNTS = (("two", rf"\b(?:to|too) {_MEASURE}"), ("four", rf"\b(?:for|fore) {_MEASURE}"))
 
 
-def counted(text: str, language: str = "english") -> str:
-    """Return a reading with numbers where little words sound like them: "up to centimeters"."""
+_MORE_ACTIONS = frozenset(("pick", "place", "put", "pour", "insert", "wipe", "press", "stack"))
+_NEVER_FIRST = frozenset(("back", "let", "get", "go", "come", "open", "close", "lower"))
+"""Where they follow another action's word they mostly belong to it: "move back"."""
+_INTRODUCING = frozenset(("the", "a", "to", "of", "for"))
+
+
+def written(heard: str, asked: str | None = None, language: str = "english") -> str:
+    """Return a reading as it is written: "up two centimeters" for "to", lists with commas.
+
+    Parameters
+    ----------
+    heard : str
+    asked : str, optional
+        What the robot asked.
+    language : str
+    """
     if language != "english":
-        return text
+        return heard
     for number, pattern in _COUNTS:
-        text = re.sub(pattern, f"{number} ", text)
-    return text
+        heard = re.sub(pattern, f"{number} ", heard)
+    return _listed(heard) if asked == "actions" else heard
+
+
+def _listed(heard: str) -> str:
+    """Return actions said one after another with commas: "approach, grasp, lift"."""
+    words = heard.split()
+    known = _actions()
+    before = ("", *words)
+    starts = [
+        at for at, word in enumerate(words) if word in known and before[at] not in _INTRODUCING
+    ]
+    if len(starts) < 2 or starts[0] > 0 or {"and", "then"} & set(words):
+        return heard
+    parts = zip(starts, (*starts[1:], len(words)), strict=True)
+    return ", ".join(" ".join(words[first:last]) for first, last in parts)
+
+
+@cache
+def _actions() -> frozenset[str]:
+    """Return the words actions begin with."""
+    told = (phrase for entry in hints("actions", "english") for phrase in entry["phrases"])
+    return frozenset(phrase.split()[0] for phrase in told) - _NEVER_FIRST | _MORE_ACTIONS
 
 
 def repaired(heard: str, names: Sequence[str] = (), language: str = "english") -> tuple[str, ...]:

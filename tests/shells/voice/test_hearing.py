@@ -69,6 +69,21 @@ def test_a_whole_sentence_needs_no_second_opinion() -> None:
     assert slow.asked == 0
 
 
+@pytest.mark.parametrize(
+    ("read", "asked"),
+    [
+        ("move it to the left", 1),
+        ("move a bit to the left", 0),
+        ("go left three centimeters", 0),
+        ("please move right", 0),
+    ],
+)
+def test_a_second_opinion_is_asked_for_where_a_bit_may_be_lost(read: str, asked: int) -> None:
+    slow = Reads(("move a bit to the left", 0.9))
+    heard(Reads((read, 1.0)), slow)
+    assert slow.asked == asked
+
+
 def test_in_noise_a_second_opinion_is_asked_for() -> None:
     slow = Reads(("something else", 0.9))
     noise = (0.1 * np.random.default_rng(1).standard_normal(16000)).astype(np.float32)
@@ -248,6 +263,18 @@ def test_counts_where_a_number_is_asked_for() -> None:
     assert {"none", "two"} <= set(expected(asked, "english"))
     one = heard(Reads(("dune", 1.0)), Reads(("two", 0.4), ("tune", 0.3)), asked)
     assert acted_on(one) == (Inform(2),)
+
+
+@pytest.mark.voice
+@pytest.mark.parametrize(
+    ("likely", "said"),
+    [(-4.0, "place object on target"), (-9.0, "place object and target")],
+)
+def test_two_things_are_related_in_a_name(likely: float, said: str) -> None:
+    read = "place object and target"
+    slow = Weighs({read: -3.0, "place object on target": likely}, (read, 0.9))
+    one = heard(Reads((read, 1.0)), slow, NAMING, A_SECOND)
+    assert one.understanding.acts == (Inform(said),)
 
 
 @pytest.mark.voice

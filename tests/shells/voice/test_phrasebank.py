@@ -8,7 +8,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
 from assistant.shells.voice.deciding import is_unknown
-from assistant.shells.voice.phrasebank import MOST_WORDS, mended, named, near
+from assistant.shells.voice.phrasebank import MOST_WORDS, mended, named, near, related
 
 pytestmark = pytest.mark.voice
 
@@ -47,3 +47,11 @@ def test_a_name_is_mended_by_one_word_that_sounds_alike() -> None:
 )
 def test_a_step_is_found_by_sound(heard: str, meant: str) -> None:
     assert meant in named(heard, ("cup", "object"), 8)
+
+
+def test_little_words_between_two_things_may_be_others() -> None:
+    things = ("block", "lid")
+    assert related("place block and lid", things, ("on",)) == ("place block on lid",)
+    assert related("the block into the lid", things, ("and",)) == ("the block and the lid",)
+    assert related("grasp and lift", things, ("on",)) == ()
+    assert related("", things, ("on",)) == ()

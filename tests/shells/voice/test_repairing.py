@@ -7,7 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.shells.voice.phonemes import distance, phonemes
-from assistant.shells.voice.repairing import MOST_WORDS, counted, repaired
+from assistant.shells.voice.repairing import MOST_WORDS, repaired, written
 
 pytestmark = pytest.mark.voice
 
@@ -57,5 +57,22 @@ def test_most_of_a_reading_stays(words: list[str]) -> None:
     ],
 )
 def test_little_words_before_a_measure_are_numbers(heard: str, said: str) -> None:
-    assert counted(heard) == said
-    assert counted(heard, "german") == heard
+    assert written(heard) == said
+    assert written(heard, language="german") == heard
+
+
+@pytest.mark.parametrize(
+    ("heard", "said"),
+    [
+        ("approach grasp lift", "approach, grasp, lift"),
+        ("pick up place", "pick up, place"),
+        ("grasp the block lift the block", "grasp the block, lift the block"),
+        ("grasp and lift", "grasp and lift"),
+        ("grasp the lid", "grasp the lid"),
+        ("move back lift", "move back, lift"),
+        ("place the lift", "place the lift"),
+    ],
+)
+def test_actions_said_one_after_another_are_a_list(heard: str, said: str) -> None:
+    assert written(heard, "actions") == said
+    assert written(heard) == heard
