@@ -84,6 +84,8 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
     known = dialogue.known
     part = "naming_task" if state.asked in ("subtask_name", "actions", "which") else "naming"
     name = mended(after(words.text, part, dialogue.language), dialogue.language)
+    if not name and state.asked == "task_name":
+        name = taught(words.text, dialogue.language)
     if name and state.asked == "task_name":
         return in_state(dialogue, acts.Inform(name), replace(words, text=name))
     if name and known.name:

@@ -11,7 +11,7 @@ from dataclasses import replace
 from assistant.dialogue.asking import ask, question, tell
 from assistant.dialogue.finding import candidates
 from assistant.dialogue.helping import help_line
-from assistant.dialogue.naming import begins_or_ends_with_verb, is_odd, steps_in, tidy
+from assistant.dialogue.naming import as_said, begins_or_ends_with_verb, is_odd, steps_in, tidy
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.turn import Turn, Words, first, line, say
@@ -72,7 +72,7 @@ def doubted(
         return _yes_or_no(dialogue)
     if all(isinstance(act, acts.Unknown) for act in meant) or not _fresh(dialogue, meant):
         return misunderstood(dialogue, words)
-    told = [act_to_json(act) for act in meant]
+    told = [_told(act, words.text) for act in meant]
     guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
     pending = Pending("did_you_mean", guess, meant, words.text, other=other)
     return _asked_between(dialogue, pending)
@@ -129,6 +129,14 @@ def _topic(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> str:
     if isinstance(state, Introducing) and isinstance(only, acts.Inform):
         return f"{TOPIC}.{state.asked}" if isinstance(only.value, str) else TOPIC
     return TOPIC
+
+
+def _told(act: acts.TeacherAct, text: str) -> dict[str, object]:
+    """Return an act as plain values, an answer with the capitals it was typed with."""
+    plain = act_to_json(act)
+    if isinstance(act, acts.Inform) and isinstance(act.value, str):
+        plain["value"] = as_said(act.value, text)
+    return plain
 
 
 def _asked_between(dialogue: Dialogue, pending: Pending) -> Turn:

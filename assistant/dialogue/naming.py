@@ -155,7 +155,9 @@ def is_odd(name: str, language: str = "english") -> bool:
     odd: list[str] = hints("no_task_name", language)
     if not words or "?" in name or len("".join(words)) < SHORTEST_NAME:
         return True
-    return len(words) > LONGEST_NAME or words[0] in odd
+    # "8 by 9" is no name, however much one is asked for.
+    told = re.match(r"\s*\d", name) is not None
+    return told or len(words) > LONGEST_NAME or words[0] in odd
 
 
 def is_no_step(name: str, language: str = "english") -> bool:

@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.dialogue import effects as fx
+from assistant.dialogue.machine import begin
 from assistant.language.asides import introduced_person, is_greeting, unknowing
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons
@@ -202,3 +203,26 @@ def test_what_the_hand_does_is_told_whole() -> None:
     teacher.hear(acts.Inform("go of it"), text="let go of it")
     assert teacher.dialogue.known.root.parts[0].name == "let go of it"
     assert teacher.asked == "confirm_tree"
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "language"),
+    [
+        (
+            "I'd like you to learn how to pour me a cup of tea",
+            "pour me a cup of tea",
+            "english",
+        ),
+        ("Ich möchte dir zeigen, wie man Tee einschenkt", "Tee einschenkt", "german"),
+    ],
+)
+def test_the_task_is_named_by_what_is_to_be_taught(text: str, name: str, language: str) -> None:
+    teacher = Lessons(begin(language)).open()
+    teacher.hear(acts.Inform("x"), text=text, sure=0.6)
+    assert teacher.dialogue.known.name == name
+    assert teacher.asked == "goal"
+
+
+def test_a_size_is_no_name_of_a_task() -> None:
+    teacher = Lessons().open().tell("8 wide 9 high")
+    assert teacher.topics == ["confirm.odd_name"]
