@@ -48,6 +48,7 @@ from assistant.model.teacher_acts import (
 )
 
 LEAST_MENDED = 0.7
+_LONGEST_PLAIN = 4
 _YES_OR_NO = frozenset(
     ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
 )
@@ -61,10 +62,22 @@ def plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse |
         return parse
     if len(words) > 1 and not words[1].broken:
         return parse
-    told = parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion")
-    if told or (parse is not None and parse.how == "denied"):
+    sure = parse is not None and parse.score >= LIKELY and parse.how in ("sentence", "motion")
+    if sure or (parse is not None and parse.how == "denied"):
         return parse
-    return Parse((Affirm() if first in hearing.book.yes else Deny(),), ACTING, "plain")
+    answer = Affirm() if first in hearing.book.yes else Deny()
+    more = _goes_on(words[1:], hearing, agreed=isinstance(answer, Affirm))
+    return Parse((answer,), GUESSED if more else ACTING, "plain")
+
+
+def _goes_on(words: Words, hearing: Hearing, *, agreed: bool) -> bool:
+    """Tell whether more than talk may follow an answer: then it is read back."""
+    if len(words) < _LONGEST_PLAIN:
+        return False
+    if agreed and any(word.broken and word.text in hearing.book.no for word in words):
+        return True
+    more = clause(words, hearing)
+    return more is not None and isinstance(more.acts[0], _SURELY_MORE)
 
 
 def consent(words: Words, hearing: Hearing) -> Parse | None:

@@ -16,6 +16,7 @@ from assistant.language.parsing import (
     Parse,
     texts_of,
 )
+from assistant.language.phrasebook import Phrasebook
 from assistant.language.repair import respelled
 from assistant.language.sides import told_side
 from assistant.language.words import Words
@@ -106,10 +107,8 @@ def answered(words: Words, hearing: Hearing) -> Parse:
     telling = words[0].text in _TELLING and len(words) > 3
     chatting = texts & hearing.book.chat and telling and not wrapped(bare, asked, hearing.book)
     chatting = chatting and asked != "subtask_count"
-    if not wrapped(bare, asked, hearing.book):
-        spelled = trimmed(respelled(words, hearing.book, ()), hearing.book)
-        words = spelled if wrapped(spelled, asked, hearing.book) else words
-        bare = trimmed(words, hearing.book)
+    words = _spelled(words, asked, hearing)
+    bare = trimmed(words, hearing.book)
     bare = said_of(bare, asked, hearing.book)
     asking = bare and asks(bare, hearing.book) and not wrapped(bare, asked, hearing.book)
     if chatting or asking:
@@ -122,6 +121,19 @@ def answered(words: Words, hearing: Hearing) -> Parse:
         known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
         found = Inform(known or found.value)
     return Parse((found,), _answer_score(found, words, asked, hearing), "answer")
+
+
+def _spelled(words: Words, asked: Asked, hearing: Hearing) -> Words:
+    """Return the words respelled where more of them turn out to be wrapping: "is caled"."""
+    bare, book = trimmed(words, hearing.book), hearing.book
+    spelled = trimmed(respelled(words, book, ()), book)
+    if texts_of(spelled) == texts_of(bare) or not wrapped(spelled, asked, book):
+        return words
+    if not wrapped(bare, asked, book):
+        return spelled
+    before, behind = answer(words, asked, book), answer(spelled, asked, book)
+    told = before is not None and behind is not None
+    return spelled if told and len(str(behind)) < len(str(before)) else words
 
 
 def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -> float:
@@ -150,8 +162,16 @@ def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -
     marked = isinstance(value, str) and sum(word.broken for word in bare[1:]) > 0
     names = [name for name in names if name] or [["it"]]
     strange = any(name[0] in wraps or set(name) & hearing.book.impure for name in names)
+    strange = strange or (asked in LISTS and any(_odd(name, hearing.book) for name in names))
     long = max(map(len, names)) > 4 or len(words) > 10
     return GUESSED if strange or long or marked or not plain else 0.93
+
+
+def _odd(name: list[str], book: Phrasebook) -> bool:
+    """Tell an item of a list with words that name no thing: "more nothing", "naturally"."""
+    little = book.empty - book.leading_words("prepositions") - book.leading_words("qualities")
+    hollow = little | book.yes | book.no | book.chat | book.leading_words("hollow")
+    return any(text in hollow or (text.endswith("ly") and len(text) > 5) for text in name)
 
 
 def _changing(parse: Parse) -> bool:
