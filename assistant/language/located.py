@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 
 from assistant.language.motion import read_motion
-from assistant.language.naming import known_name, without_article
+from assistant.language.naming import known_name
 from assistant.language.parsing import (
     DOUBTFUL,
     GUESSED,
@@ -17,9 +16,19 @@ from assistant.language.parsing import (
     bared,
     texts_of,
 )
-from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.phrasebook import Phrase
 from assistant.language.sentences import LONGEST_NAME, best_sentence
-from assistant.language.tags import WAYS, tags_of
+from assistant.language.step_places import (
+    PARTLY,
+    ends,
+    is_weak,
+    marks,
+    only_begun,
+    place_in,
+    trust_in,
+    verb_in,
+    without_noun,
+)
 from assistant.language.words import Words, said
 from assistant.model.feedback import When
 from assistant.model.teacher_acts import (
@@ -94,21 +103,12 @@ def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     return best
 
 
-def marks(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, Phrase, When]]:
-    """Yield where words stand that say when: the longest phrase of each place."""
-    for at in range(len(texts) - 1):
-        begun = book.whens.get(texts[at], ())
-        found = [one for one in begun if texts[at : at + len(one[0])] == one[0]]
-        longest = max((len(phrase) for phrase, _ in found), default=0)
-        yield from ((at, phrase, when) for phrase, when in found if len(phrase) == longest)
-
-
 def _marked(words: Words, at: int, phrase: Phrase, when: When, hearing: Hearing) -> Parse | None:
     """Read the place behind a mark and the correction around it."""
     start = at + len(phrase)
-    before = () if _only_begun(texts_of(words[:at]), hearing) else words[:at]
+    before = () if only_begun(texts_of(words[:at]), hearing) else words[:at]
     best: Parse | None = None
-    for end in _ends(words, at, start, hearing):
+    for end in ends(words, at, start, hearing):
         told = (*before, *words[end:])
         found = _joined(told, words[start:end], phrase, when, hearing)
         if found is not None and found.score >= LIKELY:
@@ -116,35 +116,6 @@ def _marked(words: Words, at: int, phrase: Phrase, when: When, hearing: Hearing)
         if found is not None and (best is None or found.score > best.score):
             best = found
     return best
-
-
-def _only_begun(texts: Phrase, hearing: Hearing) -> bool:
-    """Tell a place that is begun and not told: "when you, during the approach, slower"."""
-    begun = hearing.book.whens.get(texts[0], ()) if texts else ()
-    return any(
-        texts[: len(phrase)] == phrase and set(texts[len(phrase) :]) <= hearing.book.stuttered
-        for phrase, _ in begun
-    )
-
-
-def _ends(words: Words, at: int, start: int, hearing: Hearing) -> Iterator[int]:
-    """Yield where a place that begins at `start` may end, the likeliest first."""
-    breaks = [end for end in range(start + 1, len(words)) if words[end].broken]
-    if at:
-        yield from (len(words), *breaks)
-        return
-    yield from breaks
-    if breaks:
-        return
-    parted = _parted(words, hearing)
-    last = len(words) - 1
-    for end in sorted(range(start + 1, len(words)), key=lambda one: (one in parted, one)):
-        if end == last and end in parted:
-            continue
-        loose = words[end].text in ("it", "the", "a", "an", "that", "and", "to")
-        stated = words[end].text in ("it", "that") and texts_of(words)[end + 1 : end + 2] in _STATED
-        if stated or not loose:
-            yield end
 
 
 def acted_correction(words: Words, hearing: Hearing) -> Parse | None:
@@ -190,37 +161,20 @@ def _at(parse: Parse, spot: Where, score: float) -> Parse | None:
     return Parse(acts, score) if len(acts) == len(parse.acts) else None
 
 
-def _parted(words: Words, hearing: Hearing) -> frozenset[int]:
-    """Return where particles stand that belong to the verb before: "putting | down"."""
-    motion = hearing.book.motion
-    kinds = [motion.get((word.text,), "") for word in words]
-    parted = set()
-    for at in range(1, len(words)):
-        particle = words[at].text in _PARTICLES
-        only_way = kinds[at] in WAYS and not any(kind in WAYS for kind in kinds[at + 1 :])
-        if particle and (words[at - 1].text.endswith("ing") or not only_way):
-            parted.add(at)
-    return frozenset(parted)
-
-
-_STATED = (("should",), ("needs",), ("must",), ("has",), ("is",), ("could",), ("ought",))
-_NO_STEPS = frozenset(
-    ("liking", "something", "anything", "nothing", "everything", "thing", "ring", "string")
-)
-_PARTICLES = frozenset(("up", "down", "in", "out", "on", "off", "over", "away", "back", "aside"))
-
-
 def _joined(
     told: Words, place: Words, phrase: Phrase, when: When, hearing: Hearing
 ) -> Parse | None:
-    subject = _without_noun(_place(place, hearing))
+    named = place_in(place, hearing)
+    subject = without_noun(named, hearing.book)
     if not subject or len(subject) > LONGEST_NAME:
         return None
     if not told or told[-1].text in ("to", "of", "by", "and", "from"):
         return None
     texts = texts_of(subject)
     known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
-    trust = SURE if known else _trust(texts, phrase, hearing)
+    trust = SURE if known else trust_in(texts, phrase, hearing, told=len(subject) < len(named))
+    if is_weak(phrase, hearing.book) and trust < LIKELY and verb_in(place, hearing):
+        trust = SURE
     if trust == 0.0:
         return None
     spot = Where(known or said(subject), when)
@@ -229,69 +183,9 @@ def _joined(
         parse = correction(texts_of(bare), hearing) or best_sentence(bare, hearing)
         if parse is None or parse.score < DOUBTFUL:
             continue
-        score = trust if parse.score >= LIKELY else min(trust, _PARTLY)
+        score = trust if parse.score >= LIKELY else min(trust, PARTLY)
         found = _at(parse, spot, score)
         if found is not None and score >= LIKELY:
             return found
         best = best or found
     return best
-
-
-def _trust(texts: Phrase, phrase: Phrase, hearing: Hearing) -> float:
-    """Return how sure it is that words no task knows name a step; 0 if they cannot."""
-    book = hearing.book
-    if texts in (("you",), ("i",), ("we",), ("the",)) or any(t in book.chat for t in texts):
-        return 0.0
-    if any(texts[: len(one)] == one for one, _ in book.whens.get(texts[0], ())):
-        return 0.0
-    if _is_amount(texts) or _moving(texts, hearing):
-        return 0.0
-    listed = without_article(texts) in book.where["stepping"]
-    told_step = listed or any(t.endswith("ing") and t not in _NO_STEPS for t in texts)
-    if phrase in _WEAK and phrase != ("once",) and not told_step:
-        odd = [t for t in texts if (t,) not in book.motion and t not in book.empty]
-        bodies = {word for one in book.answer_words["pose_bodies"] for word in one} | hearing.names
-        named = odd and not bodies & set(texts) and not set(odd) & _NO_PLACES
-        own = texts[0] in ("my", "your", "to", "an")
-        return _PARTLY if named and not own and len(texts) <= _SHORT else 0.0
-    return SURE if listed else LIKELY + 0.01
-
-
-def _moving(texts: Phrase, hearing: Hearing) -> bool:
-    """Tell words that tell how far or how fast, which no place does."""
-    tags = tags_of(texts, hearing.book, frozenset())
-    return any(tag.kind in _NO_PLACE_KINDS for tag in tags)
-
-
-def _without_noun(words: Words) -> Words:
-    """Take the noun off "the pick it up step"."""
-    return words[:-1] if len(words) > 1 and words[-1].text in _STEP_NOUNS else words
-
-
-_PARTLY = 0.78
-_SHORT = 3
-_STEP_NOUNS = frozenset(("step", "part", "phase", "stage", "bit", "subtask"))
-_NO_PLACE_KINDS = frozenset(
-    ("quantity", "little", "much", "faster", "slower", "speed", "too", "enough")
-)
-_NO_PLACES = frozenset(
-    ["total", "least", "once", "average", "front", "sure", "fact", "time", "i", "he", "she", "they",
-     "what", "which", "who", "air", "table", "floor", "top", "bottom", "middle", "half", "general",
-     "particular", "case", "future", "first", "last", "next", "goodness", "sake", "god", "mind"]
-)  # fmt: skip
-_WEAK = frozenset(
-    (("at",), ("in",), ("for",), ("as",), ("once",), ("following",), ("on",), ("upon",))
-)
-
-
-def _is_amount(texts: Phrase) -> bool:
-    return all(text in ("it", "that", "this", "once", "least", "all", "now") for text in texts)
-
-
-def _place(words: Words, hearing: Hearing) -> Words:
-    """Take the subject off "you place it", and the article off "the grasp"."""
-    texts = texts_of(words)
-    for phrase in hearing.book.where["subject"]:
-        if len(phrase) < len(words) and texts[: len(phrase)] == phrase:
-            return _place(words[len(phrase) :], hearing)
-    return words

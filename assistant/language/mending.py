@@ -32,7 +32,7 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
         between = not at_end and _alike(words[at - 1], words[at + len(phrase)], hearing)
         if not (words[at].broken or len(phrase) > 1 or at_end or between):
             continue
-        if at_end and phrase in _TAGS and not any(word.broken for word in words[1:at]):
+        if at_end and phrase in _TAGS:
             continue
         before, behind = words[:at], without_marks(words[at + len(phrase) :], marks)
         before = _without_marks_behind(before, marks)
@@ -48,7 +48,7 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
 _OWNING = frozenset(("the", "that", "this", "my", "your", "last", "a"))
 """Before a mark they make a noun of it: "reduce that last correction"."""
 _TAGS = frozenset((("no",), ("right",)))
-"""Behind a single clause they ask for consent: "go a bit up, no"."""
+"""At the end they ask for consent: "go a bit up, no"."""
 
 
 def without_marks(words: Words, marks: Sequence[Phrase]) -> Words:

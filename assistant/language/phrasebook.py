@@ -56,6 +56,7 @@ class Phrasebook:
     motion: Mapping[Phrase, str]
     motion_begun: Mapping[str, tuple[Phrase, ...]]
     where: Mapping[str, tuple[Phrase, ...]]
+    where_words: Mapping[str, frozenset[str]]
     whens: Mapping[str, tuple[tuple[Phrase, When], ...]]
     amounts: Mapping[str, tuple[tuple[Phrase, str], ...]]
     keeping: Mapping[str, tuple[Phrase, ...]]
@@ -135,7 +136,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     told = ",".join([classes["empty"], classes["polite"], *classes["classes"].values()])
     vocabulary |= phrase_words(phrases(told))
     vocabulary |= {*numbers.ordinals, *phrase_words(numbers.also)}
-    vocabulary |= phrase_words(phrases(",".join(_where(book).values())))
+    led = (told for name, told in _where(book).items() if name not in _WHERE_WORDS)
+    vocabulary |= phrase_words(phrases(",".join(led)))
     return Phrasebook(
         contractions=_contractions(book, vocabulary),
         fillers=frozenset(phrases(book["fillers"])),
@@ -155,6 +157,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         motion=motion,
         motion_begun=by_first_word(motion),
         where={name: longest_first(told) for name, told in _where(book).items()},
+        where_words={name: single(book["where"].get(name, "")) for name in _WHERE_WORDS},
         whens=_whens(book["where"]),
         amounts=_amounts(book.get("amounts", {})),
         keeping={name: longest_first(told) for name, told in book.get("keeping", {}).items()},
@@ -218,6 +221,9 @@ _DOTLESS = (("a", "o", "u", "ss"), ("ae", "oe", "ue", "ß"), ("ae", "oe", "ue", 
 def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
     sure, others = lines(text)
     return frozenset(phrases(sure)), frozenset(phrases(f"{sure}, {others}"))
+
+
+_WHERE_WORDS = ("weak", "particles", "step_nouns", "no_steps", "no_places", "no_starts", "stated")
 
 
 def _whens(where: Mapping[str, str]) -> Mapping[str, tuple[tuple[Phrase, When], ...]]:

@@ -68,7 +68,7 @@ def read_pose(
     by = None if position else displacement(words, book)
     if by is None and position is None and (turned is None or body is None):
         return None
-    if by is not None and body is not None and not _told(words, book, listening):
+    if position is None and body is not None and not _told(words, book, listening):
         return None
     spent = {at for one in numbers for at in range(one.start, one.quantity.end)}
     spent |= set(range(body[1], body[2])) if body else set()
