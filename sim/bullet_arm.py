@@ -5,11 +5,14 @@ from __future__ import annotations
 import threading
 
 from sim.bullet_settings import BulletSettings
-from sim.bullet_window import Picture, WatchedWorld
+from sim.bullet_window import WatchedWorld, Window
 from sim.bullet_world import BulletWorld
 from sim.sensor import InHandSensor, PlaceNoise
 from sim.simulated_arm import SimulatedArm
 from sim.world import World
+
+CLOSED = "window"
+"""Why the arm stopped when its window was closed."""
 
 
 class BulletArm(SimulatedArm):
@@ -37,10 +40,13 @@ class BulletArm(SimulatedArm):
         noise: PlaceNoise | None = None,
         settings: BulletSettings | None = None,
     ) -> None:
-        flag = stop_flag or threading.Event()
         physics = BulletWorld(settings=settings)
         world: World = physics
         if window:
-            # Whoever closes the window wants the arm to stop.
-            world = WatchedWorld(physics, Picture(window=True), flag.set)
-        super().__init__(world, flag, sensor=sensor, noise=noise)
+            world = WatchedWorld(physics, Window(), self._closed)
+        super().__init__(world, stop_flag, sensor=sensor, noise=noise)
+
+    def _closed(self) -> None:
+        # Whoever closes the window wants the arm to stop, and whatever is about to move, too.
+        self.stop(CLOSED)
+        self._flag.set()

@@ -6,9 +6,17 @@ long drawing takes, physics never waits for more than a picture to be handed ove
 
 from __future__ import annotations
 
+import io
+import os
+import pickle
+import subprocess
+import sys
+import weakref
 from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Any, Protocol
 
-from assistant.geometry import Array, compose, inverse
+from assistant.geometry import Array
 from assistant.model.scene import Scene
 from sim.bullet_client import LostError
 from sim.bullet_world import BulletWorld
@@ -16,26 +24,115 @@ from sim.world import Allowed, Fault
 
 PICTURE_TICKS = 2
 """A new picture is shown after so many control ticks."""
+PROGRAM = "sim.bullet_picture"
 
 
-class Picture(BulletWorld):
-    """The same arm and bodies, put where they are seen instead of being moved."""
+class Shown(Protocol):
+    """What shows the world; whatever it is told raises LostError once its window is closed."""
+
+    def arrange(self, scene: Scene, bodies: Mapping[str, Array], q: Array) -> None:
+        """Show another arrangement."""
+        ...
 
     def show(self, q: Array, opening_m: float, bodies: Mapping[str, Array]) -> None:
-        """Put joints, shape (6,), fingers and bodies where they are.
+        """Show joints, shape (6,), fingers and bodies where they are now."""
+        ...
+
+
+class Window:
+    """A picture shown by a program of its own.
+
+    Parameters
+    ----------
+    hidden : bool
+        Draw without a display.
+
+    Attributes
+    ----------
+    process : Popen
+    answers : file
+        A byte comes for each picture that is drawn.
+    owed : int
+        How many are still to be drawn, as far as is known.
+    """
+
+    def __init__(self, *, hidden: bool = False) -> None:
+        flags = ("--hidden",) if hidden else ()
+        self.process = subprocess.Popen(
+            [sys.executable, "-m", PROGRAM, *flags],
+            bufsize=0,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            # Ctrl-C is for the arm, not for its picture.
+            start_new_session=True,
+        )
+        self._leave = weakref.finalize(self, _ended, self.process)
+        assert self.process.stdin is not None
+        assert self.process.stdout is not None
+        self._told, self.answers = self.process.stdin, self.process.stdout
+        os.set_blocking(self.answers.fileno(), False)
+        self.owed = 0
+
+    def arrange(self, scene: Scene, bodies: Mapping[str, Array], q: Array) -> None:
+        """Show another arrangement."""
+        self.look()
+        self._tell("arrange", scene, dict(bodies), q)
+
+    def show(self, q: Array, opening_m: float, bodies: Mapping[str, Array]) -> None:
+        """Show where everything is; nothing while the picture before is still being drawn."""
+        self.look()
+        if not self.owed:
+            self._tell("show", q, opening_m, dict(bodies))
+
+    def close(self) -> None:
+        """Close the window; a second time does nothing."""
+        self._leave()
+
+    def look(self) -> None:
+        """Take the answers that have come.
 
         Raises
         ------
         LostError
-            If the window was closed.
+            If none can come any more.
         """
-        client = self._client
-        values = [[float(angle)] for angle in (*q, opening_m / 2, opening_m / 2)]
-        client.resetJointStatesMultiDof(self._arm, [*self._joints, *self._fingers], values)
-        for name, number in self._numbers.items():
-            middle = compose(bodies[name], inverse(self._bases[name]))
-            place, turn = middle[:3].tolist(), middle[3:].tolist()
-            client.resetBasePositionAndOrientation(number, place, turn)
+        try:
+            answers = self.answers.read(1 << 16)
+        except (OSError, ValueError) as error:
+            raise LostError("the window is closed") from error
+        if answers == b"":
+            raise LostError("the window is closed")
+        self.owed -= len(answers or b"")
+
+    def _tell(self, name: str, *values: Any) -> None:
+        try:
+            self._told.write(packed((name, values)))
+        except (OSError, ValueError) as error:
+            raise LostError("the window is closed") from error
+        self.owed += 1
+
+
+def packed(told: Any) -> bytes:
+    """Return values as they are sent to the program that draws; its views of mappings, too."""
+    sent = io.BytesIO()
+    pickler = pickle.Pickler(sent)
+    pickler.dispatch_table = {MappingProxyType: lambda view: (viewed, (dict(view),))}
+    pickler.dump(told)
+    return sent.getvalue()
+
+
+def viewed(told: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    """Return a view of a mapping."""
+    return MappingProxyType(told)
+
+
+def _ended(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    process.wait()
+    for pipe in (process.stdin, process.stdout):
+        if pipe is not None:
+            pipe.close()
 
 
 class WatchedWorld:
@@ -45,12 +142,12 @@ class WatchedWorld:
     ----------
     world : BulletWorld
         Without a window.
-    picture : Picture
+    picture : Shown
     closed : callable
         Called once when the picture's window is found to be closed.
     """
 
-    def __init__(self, world: BulletWorld, picture: Picture, closed: Callable[[], None]) -> None:
+    def __init__(self, world: BulletWorld, picture: Shown, closed: Callable[[], None]) -> None:
         self._world, self._picture = world, picture
         self._closed = closed
         self._open, self._tick = True, 0

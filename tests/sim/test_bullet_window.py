@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import select
+
 import numpy as np
 import pytest
 
 from assistant.geometry import Array
-from sim.bullet_window import PICTURE_TICKS, Picture, WatchedWorld
+from assistant.language.speech import phrase
+from assistant.model.robot_acts import RobotAct
+from sim.bullet_arm import CLOSED, BulletArm
+from sim.bullet_picture import Picture
+from sim.bullet_window import PICTURE_TICKS, WatchedWorld, Window
 from sim.bullet_world import BulletWorld
 from sim.driving import Driven
-from sim.jogging import Jog, Jogger
+from sim.jogging import Jog, Jogger, joint_path
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
 from sim.world import Allowed
@@ -50,3 +56,47 @@ def test_a_window_that_is_closed_is_told_once_and_the_world_goes_on() -> None:
     moved(watched, 4 * PICTURE_TICKS)
     assert told == ["closed"]
     assert watched.held() == ""
+
+
+def drawn(window: Window) -> None:
+    """Wait until all that was told has been drawn."""
+    for _ in range(3000):
+        window.look()
+        if not window.owed:
+            return
+        select.select([window.answers], [], [], 0.02)
+    raise AssertionError("nothing is drawn")
+
+
+def test_a_window_that_is_killed_ends_itself_alone_and_stops_the_arm(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    windows: list[Window] = []
+
+    def hidden() -> Window:
+        windows.append(Window(hidden=True))
+        return windows[0]
+
+    monkeypatch.setattr("sim.bullet_arm.Window", hidden)
+    _, scene, setup = lesson()
+    arm = BulletArm(window=True)
+    arm.arrange(scene, setup)
+    (window,) = windows
+    look = arm.look()
+    ahead = np.array([0.1, 0.0, 0.0, 0.0, 0.0, 0.0])
+    jog = Jogger(scene, setup, look).towards(Driven.resting(look.q), ahead)
+    assert isinstance(jog, Jog)
+    drawn(window)
+    arm.start(joint_path(jog, look.gripper_m))
+    told = [report for _ in range(2 * PICTURE_TICKS) for report in arm.tick()]
+    # A picture that is still being drawn keeps nobody waiting.
+    assert window.owed <= 1
+    window.process.kill()
+    window.process.wait()
+    while arm.look().moving:
+        told += arm.tick()
+    assert (told[-1].kind, told[-1].text) == ("halted", CLOSED)
+    for language in ("english", "german"):
+        assert phrase(RobotAct("stopped", "stop", slots={"why": CLOSED}), language)
+    window.close()
+    window.close()
