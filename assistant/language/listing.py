@@ -99,6 +99,9 @@ def _leading(book: Phrasebook) -> frozenset[str]:
 
 def _uncounted(parts: list[Words], book: Phrasebook) -> list[Words]:
     """Drop "two cups" before "a red cup and a blue cup"."""
+    if not parts:
+        # Nothing but joining words was heard.
+        return parts
     first, rest = parts[0], parts[1:]
     number = book.numbers.number(_texts(first), 0)
     counted = number is not None and number[0] > 1 and len(first) > number[1]

@@ -146,7 +146,10 @@ class Lesson:
         for again in range(MOST_TRIES):
             before = len(self.lines)
             self._speak(text, again)
-            if not self._doubted(text) and not self._missed(before):
+            if self.session.listening.asked == "did_you_mean":
+                if not self._doubted(text):
+                    return
+            elif not self._missed(before):
                 return
             self.teacher.repeated += 1
         self.teacher.typed += 1
@@ -165,8 +168,6 @@ class Lesson:
     def _doubted(self, text: str) -> bool:
         """Answer the robot that asks whether it heard right; return whether to repeat."""
         assert self.teacher is not None
-        if self.session.listening.asked != "did_you_mean":
-            return False
         right = self.teacher.heard[-1][1].lower() == text.lower()
         for again in range(MOST_TRIES):
             before = len(self.lines)

@@ -109,3 +109,10 @@ def test_a_thing_may_be_set_off(text: str, value: str) -> None:
 def test_counting_up_ends_with_how_many() -> None:
     assert _answer("one, two, three, four, that makes four", "subtask_count") == 4
     assert _answer("one two three... three!", "subtask_count") == 3
+
+
+@pytest.mark.parametrize("text", ["and", "also and", "next", "and then"])
+@pytest.mark.parametrize("asked", ["objects", "actions"])
+def test_joining_words_alone_are_no_list(text: str, asked: Asked) -> None:
+    meant = understand(text, Listening(stage="introduction", asked=asked))
+    assert meant.confidence < 0.85
