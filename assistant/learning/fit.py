@@ -33,13 +33,14 @@ def fits(
     usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
+    reaching = _reaching(leaves)
     holding = {} if told or not seen else _holding(leaves, task)
     alike = {
         known.name: [places[one.name] for one in task.objects if _rival(known, one, places)]
         for known in task.objects
     }
     scores = [
-        _character(leaf, task, between, seen, settings)
+        _character(leaf, task, between, seen, leaf.name in reaching, settings)
         + _events(leaf, task, between, seen, told, settings)
         - settings.decoding.event * _otherwise(between, holding.get(leaf.name))[:, None]
         + _objects(leaf, {} if leaf.name in moved else places, between, settings)
@@ -97,13 +98,20 @@ def _in_order(task: Task, role: str) -> list[str]:
 
 
 def _character(
-    leaf: Primitive, task: Task, between: Stretches, seen: bool, settings: SegmentationSettings
+    leaf: Primitive,
+    task: Task,
+    between: Stretches,
+    seen: bool,
+    reaches: bool,
+    settings: SegmentationSettings,
 ) -> Array:
     """Return (a), whether the motion looks like the action."""
     given = settings.decoding
     far = np.linalg.norm(between.ways, axis=-1)
     share = far / between.extent_m
     still = -given.still * np.exp(-share / 0.03)
+    if reaches:
+        return np.asarray(-given.idle * np.exp(-share / 0.03))
     if leaf.action.verb == "hand":
         # The way from docking to grasp or release: short, and without a turn (III-C a).
         turned = np.minimum(np.linalg.norm(between.turns, axis=-1) / 0.2, 3.0)
@@ -128,6 +136,17 @@ def _character(
     weight = given.astray if known is None else given.thing_astray
     astray = weight * np.maximum(given.clear_along - along, 0.0)
     return np.asarray(given.direction * along - astray + still)
+
+
+def _reaching(leaves: Sequence[Primitive]) -> frozenset[str]:
+    """Return the primitives of the hand that bring it there, too: no other is said to do so."""
+    brought, found = False, set()
+    for leaf in leaves:
+        if leaf.action.verb == "hand" and leaf.action.object and not brought:
+            found.add(leaf.name)
+        gone = leaf.action.way in ("depart", "up") or leaf.action.verb in ("hand", "turn")
+        brought = not gone
+    return frozenset(found)
 
 
 def _turning(way: str, between: Stretches) -> Array:

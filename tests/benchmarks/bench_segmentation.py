@@ -31,6 +31,7 @@ from tests.benchmarks.segmentation_lessons import (
     other_length,
     ours,
     steps_named,
+    told_coarsely,
 )
 from tests.benchmarks.segmentation_scores import (
     auroc,
@@ -215,6 +216,10 @@ def report(name: str, shows: list[Shown], *, quick: bool) -> None:
         print(line + f"  {each_ms:7.1f}", flush=True)
     own, true = (episodes_right(shows, true_cuts=given) for given in (False, True))
     print(f"  episodes right: on own cuts {own:.3f}, on true cuts {true:.3f}")
+    coarse = [one for k, s in enumerate(shows) if (one := told_coarsely(s, k)) is not None]
+    told = [matched(ours(s).cuts_s, s.cuts_s, TOLERANCES_S[-1]) for s in coarse]
+    if told:
+        print(f"  told by steps of the hand only: F1 ±{TOLERANCES_S[-1]} s {f1(told):.3f}")
     print(f"  shown in another order than told, recognized: {orders_recognized(shows)}")
     print(f"  steps named in a question: {steps_named(shows)}")
     print(f"  confidence: {confidence_line(shows)}", flush=True)

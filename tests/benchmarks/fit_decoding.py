@@ -29,7 +29,7 @@ from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import primitives
 from tests.benchmarks.bench_confidence import by_person, redrawn, without_gripper
 from tests.benchmarks.bench_segmentation import HABITS, without_cues
-from tests.benchmarks.segmentation_lessons import other_length
+from tests.benchmarks.segmentation_lessons import other_length, told_coarsely
 from tests.generators import generator_a, generator_b
 from tests.generators.shown import Shown
 
@@ -102,6 +102,8 @@ def _ways(shown: Shown, k: int) -> Iterator[tuple[Shown, float]]:
         yield without_cues(shown), 0.5
     if k % 4 == 1:
         yield without_gripper(shown), 0.5
+    if k % 4 == 3 and (coarse := told_coarsely(shown, k)) is not None:
+        yield coarse, 1.0
 
 
 def taken_apart(shown: Shown, weight: float) -> Lesson | None:

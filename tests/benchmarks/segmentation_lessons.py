@@ -11,7 +11,7 @@ from assistant.learning.segmentation import segment
 from assistant.model.lesson import Segmentation
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Action, Primitive, Subtask, primitives
-from tests.generators.shown import Shown
+from tests.generators.shown import Shown, spoken_cues
 
 
 def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmentation:
@@ -32,6 +32,26 @@ def other_length(shown: Shown, seed: int, *, longer: bool) -> Shown:
     else:
         del leaves[at]
     return replace(shown, task=replace(shown.task, tree=Subtask("told", tuple(leaves))))
+
+
+def told_coarsely(shown: Shown, seed: int) -> Shown | None:
+    """Return the same demonstration told by what the hand does only: take it, put it there.
+
+    Motions before a step of the hand are part of it; the cues follow the cuts that are left.
+    None where nothing changes, or one step is left.
+    """
+    leaves = {leaf.name: leaf for leaf in primitives(shown.task.tree)}
+    ends = [k for k, name in enumerate(shown.names) if leaves[name].action.verb == "hand"]
+    ends = [*ends, *([len(shown.names) - 1] if ends[-1:] != [len(shown.names) - 1] else [])]
+    if not 1 < len(ends) < len(shown.names):
+        return None
+    names = tuple(shown.names[k] for k in ends)
+    cuts_s = tuple(shown.cuts_s[k] for k in ends[:-1])
+    end_s = float(shown.demonstration.recording.t_s[-1])
+    cues = spoken_cues(list(cuts_s), end_s, np.random.default_rng([seed, 78]))
+    tree = Subtask("told", tuple(leaves[name] for name in names))
+    demonstration = replace(shown.demonstration, cues=cues)
+    return Shown(demonstration, replace(shown.task, tree=tree), cuts_s, names)
 
 
 def episodes_right(shows: list[Shown], *, true_cuts: bool) -> float:

@@ -112,3 +112,19 @@ def test_a_way_there_and_back_is_no_single_step() -> None:
     task = Task("t", Subtask("t", (Primitive("it", Action("move", "approach", "cup")),)))
     told = fits(task, demonstration, evidence, between, GIVEN)[:, :, 0]
     assert told[0, 2] < told[0, 1] - 1.0
+
+
+def test_a_step_of_the_hand_that_nothing_leads_to_brings_it_there() -> None:
+    """Who says "take the cup" means the way there, unless the way was told as its own step."""
+    demonstration = shown()
+    evidence = gather(demonstration, smooth(demonstration.recording), GIVEN)
+    between = stretches(np.array([0.0, evidence.events[0].at_s, 6.0]), evidence)
+    take = Primitive("take", Action("hand", "close", "cup"))
+    reach = Primitive("reach", Action("move", "approach", "cup"))
+    coarse, fine = (
+        fits(
+            Task("t", Subtask("t", parts), objects=BODIES), demonstration, evidence, between, GIVEN
+        )
+        for parts in ((take,), (reach, take))
+    )
+    assert coarse[0, 1, 0] > fine[0, 1, 1] + 2.0

@@ -15,6 +15,8 @@ from assistant.model.lesson import Segmentation
 from assistant.model.settings import paper
 from assistant.model.setup import Setup
 from assistant.model.task import Action, Primitive, Subtask, primitives
+from tests.benchmarks.segmentation_lessons import told_coarsely
+from tests.benchmarks.segmentation_scores import f1, matched
 from tests.generators import generator_a, generator_b
 from tests.generators.shown import Habit, Shown
 from tests.learning import lessons
@@ -126,6 +128,19 @@ def test_a_step_never_shown_is_asked_for() -> None:
     assert [question.about for question in asked] == ["turn it over"]
     assert asked[0].asked == "missing_step"
     assert asked[0].facts["introduced"] == len(leaves) + 1
+
+
+def test_steps_told_coarsely_are_not_taken_apart() -> None:
+    """Who introduces "take it" and "put it there" means the ways as well."""
+    known = [
+        generate(70_300 + k)
+        for generate in (generator_a.generate, generator_b.generate)
+        for k in range(3)
+    ]
+    coarse = [one for k, s in enumerate(known) if (one := told_coarsely(s, k)) is not None]
+    found = [segment(one.demonstration, one.task).cuts_s for one in coarse]
+    counts = [matched(cuts, one.cuts_s, 0.5) for cuts, one in zip(found, coarse, strict=True)]
+    assert f1(counts) > 0.85
 
 
 def test_a_step_never_introduced_is_named() -> None:
