@@ -54,9 +54,8 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
         return Inform(found) if found else None
     if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in _ARTICLES:
         core = core[1:]
-    if asked == "goal":
-        return Inform(told(core)) if told(core) else None
-    return Inform(said(core)) if said(core) else None
+    value = told(core) if asked == "goal" else said(core)
+    return Inform(value) if value else None
 
 
 def trimmed(words: Words, book: Phrasebook) -> Words:

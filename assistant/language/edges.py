@@ -16,7 +16,7 @@ from assistant.language.words import Words
 def widened(run: Span, words: Words, used: set[int], known: Frames) -> Span:
     """Return a stretch with the little words at its ends that belong to the name."""
     start, end = run
-    end = _with_pronoun(start, end, words, known)
+    end = _with_pronoun(start, end, words, used, known)
     while end < len(words) and is_particle(end, start, words, known) and _ends(end, words, known):
         end += 1
     if start and _led(start, end, words, used, known):
@@ -61,7 +61,7 @@ def _ends(at: int, words: Words, known: Frames) -> bool:
     return after is None or after.broken or after.text not in known.small("determiners")
 
 
-def _with_pronoun(start: int, end: int, words: Words, known: Frames) -> int:
+def _with_pronoun(start: int, end: int, words: Words, used: set[int], known: Frames) -> int:
     """Return the end of "pick it" in "pick it up": a pronoun the verb of the name takes."""
     if end >= len(words) or words[end].broken or words[end].text not in known.small("taken"):
         return end
@@ -72,7 +72,7 @@ def _with_pronoun(start: int, end: int, words: Words, known: Frames) -> int:
     if after in known.small("particles"):
         return end + 2
     doing = verb.endswith(known.name_endings) if known.name_endings else False
-    done = not after or after in known.small("verbs") or after in known.small("joints")
+    done = not after or end + 1 in used or after in known.small("verbs") | known.small("joints")
     return end + 1 if done and not doing else end
 
 

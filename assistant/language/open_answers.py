@@ -77,40 +77,26 @@ _STRUCTURE = (
     Assign,
     MoveCut,
 )
-_TELLING = frozenset(("i", "he", "she", "they", "my", "his", "her", "we", "did", "have"))
 _ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
-_PERSON = (("my", "name", "is"), ("i", "am", "called"), ("people", "call", "me"))
+_TOLD = 0.93
 
 
 def answered(words: Words, hearing: Hearing) -> Parse:
     """Return an answer to an open question, unless the words are a command of their own."""
     asked: Asked = hearing.listening.asked or "goal"
-    bare = trimmed(words, hearing.book)
-    if texts_of(bare)[:3] in _PERSON or texts_of(words)[:3] in _PERSON:
+    book = hearing.book
+    bare = trimmed(words, book)
+    persons = book.wrapping.get("persons", ())
+    if any(texts_of(told)[: len(one)] == one for told in (bare, words) for one in persons):
         return Parse((Unknown(),), 0.8)
     for told in dict.fromkeys((words, bare)):
         parse = command(told, hearing)
-        if asked == "missing_step" and parse is not None and _placed(parse):
+        if parse is not None and _instead(parse, bare, asked, hearing):
             return parse
-        if asked == "subtask_count" and parse is not None and _changing(parse):
-            return parse
-        if asked == "which" and parse is not None and parse.acts[0] == Deny() and len(bare) > 2:
-            # "No, I meant the other one" names one.
-            continue
-        if (
-            parse is not None
-            and parse.score >= LIKELY
-            and not _answering(parse, bare, asked, hearing)
-        ):
-            return parse
-    texts = set(texts_of(words))
-    telling = words[0].text in _TELLING and len(words) > 3
-    chatting = texts & hearing.book.chat and telling and not wrapped(bare, asked, hearing.book)
-    chatting = chatting and asked != "subtask_count"
+    chatting = _chatting(words, bare, asked, book)
     words = _spelled(words, asked, hearing)
-    bare = trimmed(words, hearing.book)
-    bare = said_of(bare, asked, hearing.book)
-    asking = bare and asks(bare, hearing.book) and not wrapped(bare, asked, hearing.book)
+    bare = said_of(trimmed(words, book), asked, book)
+    asking = bare and asks(bare, book) and not wrapped(bare, asked, book)
     if chatting or asking:
         return Parse((Unknown(),), 0.7)
     found = _corrected_answer(words, hearing)
@@ -118,9 +104,28 @@ def answered(words: Words, hearing: Hearing) -> Parse:
         return unknown(words, hearing)
     if asked in ("missing_step", "which") and isinstance(found.value, str):
         names = hearing.listening.subtasks
-        known = known_name(tuple(found.value.split()), names, hearing.book.numbers)
-        found = Inform(known or found.value)
+        found = Inform(known_name(tuple(found.value.split()), names, book.numbers) or found.value)
     return Parse((found,), _answer_score(found, words, asked, hearing), "answer")
+
+
+def _chatting(words: Words, bare: Words, asked: Asked, book: Phrasebook) -> bool:
+    """Tell people who tell of other matters, in words of such."""
+    if asked == "subtask_count" or not set(texts_of(words)) & book.chat:
+        return False
+    telling = words[0].text in book.leading_words("telling") and len(words) > 3
+    return telling and not wrapped(bare, asked, book)
+
+
+def _instead(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> bool:
+    """Tell what is said instead of an answer."""
+    if asked == "missing_step" and _placed(parse):
+        return True
+    if asked == "subtask_count" and _changing(parse):
+        return True
+    if asked == "which" and parse.acts[0] == Deny() and len(bare) > 2:
+        # "No, I meant the other one" names one.
+        return False
+    return parse.score >= LIKELY and not _answering(parse, bare, asked, hearing)
 
 
 def _spelled(words: Words, asked: Asked, hearing: Hearing) -> Words:
@@ -138,33 +143,29 @@ def _spelled(words: Words, asked: Asked, hearing: Hearing) -> Words:
 
 def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -> float:
     """Return how sure an answer is: short, plainly wrapped, no word of wrapping left in it."""
-    value, bare = found.value, trimmed(words, hearing.book)
-    if asked != "task_name" and {"called", "named"} & set(texts_of(words)) and asked in LISTS:
+    value, book = found.value, hearing.book
+    texts = set(texts_of(words))
+    if asked in LISTS and texts & book.leading_words("called"):
         return DOUBTFUL
     if isinstance(value, int):
-        return 0.93 if len(words) <= 8 else GUESSED
-    wraps = {phrase[0] for phrase in hearing.book.wrapping["wraps"]}
-    names = [value.split()] if isinstance(value, str) else [one.split() for one in value]
-    plain = wrapped(bare, asked, hearing.book) or len(bare) == sum(map(len, names))
-    told = told_side(bare, asked, hearing.book) if asked in NAMES else bare
-    plain = plain or len(told) < len(bare)
-    placing = {phrase[0] for phrase in hearing.book.wrapping.get("placing", ())}
-    if asked == "missing_step" and placing & set(texts_of(words)):
+        return _TOLD if len(words) <= 8 else GUESSED
+    if asked == "missing_step" and texts & book.leading_words("placing"):
         return GUESSED
-    bare = told
+    bare = trimmed(words, book)
+    told = told_side(bare, asked, book) if asked in NAMES else bare
+    names = [value.split()] if isinstance(value, str) else [one.split() for one in value]
+    plain = wrapped(bare, asked, book) or len(bare) == sum(map(len, names)) or len(told) < len(bare)
     plain = plain or (asked in LISTS and len(names) > 1)
+    wraps = book.leading_words("wraps")
     if asked in ("goal", "facing"):
-        return (
-            0.93
-            if plain and len(words) <= 14 and names[0][:1] and names[0][0] not in wraps
-            else GUESSED
-        )
-    marked = isinstance(value, str) and sum(word.broken for word in bare[1:]) > 0
+        begins = bool(names[0]) and names[0][0] not in wraps
+        return _TOLD if plain and begins and len(words) <= 14 else GUESSED
     names = [name for name in names if name] or [["it"]]
-    strange = any(name[0] in wraps or set(name) & hearing.book.impure for name in names)
-    strange = strange or (asked in LISTS and any(_odd(name, hearing.book) for name in names))
+    marked = isinstance(value, str) and any(word.broken for word in told[1:])
+    strange = any(name[0] in wraps or set(name) & book.impure for name in names)
+    strange = strange or (asked in LISTS and any(_odd(name, book) for name in names))
     long = max(map(len, names)) > 4 or len(words) > 10
-    return GUESSED if strange or long or marked or not plain else 0.93
+    return GUESSED if strange or long or marked or not plain else _TOLD
 
 
 def _odd(name: list[str], book: Phrasebook) -> bool:

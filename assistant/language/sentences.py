@@ -6,7 +6,7 @@ from typing import Any
 
 from assistant.language.cues import counted_cue, surer
 from assistant.language.edges import is_cut_short
-from assistant.language.frames import frames
+from assistant.language.frames import Span, frames
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import DOUBTFUL, LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase, Sentence
@@ -16,34 +16,8 @@ from assistant.model.listening import Listening
 from assistant.model.teacher_acts import ACTS, Cue, TeacherAct
 
 LONGEST_NAME = 7
-_NOBODY = frozenset(
-    ("wrong", "right", "correct", "good", "ok", "fine", "missing", "bad", "optional", "required")
-) | frozenset(
-    ("there", "it", "that", "this", "what", "which", "who", "they", "everything", "it is", "it's")
-)
-_NO_NAMES = (
-    "it ",
-    "them ",
-    "that ",
-    "named ",
-    "called ",
-    "entitled ",
-    "titled ",
-    "between ",
-    "at the ",
-    "after ",
-    "before ",
-    "yes ",
-    "no ",
-    "ok ",
-    "or ",
-    "and ",
-)
-_BEFORE_NAMES = frozenset(
-    ("of", "to", "on", "in", "think", "reckon", "suppose", "guess", "believe")
-)
 _ANSWERS = frozenset(("affirm", "deny"))
-_STEPS = frozenset(("step", "subtask", "part", "primitive", "stage", "phase"))
+_NAMING = ("unknown", "save", "load", "compare", "rename", "add_subtask")
 
 
 def best_sentence(words: Words, hearing: Hearing) -> Parse | None:
@@ -90,38 +64,45 @@ def _parse(sentence: Sentence, bound: Bound, words: Words, hearing: Hearing) -> 
     slots: dict[str, Any] = dict(sentence.slots)
     score = SURE
     for label, start, end in bound:
-        name, _, limit = label.partition(":")
-        part = words[start:end]
+        name = label.partition(":")[0]
         if name == "x":
             free = 0.8 if sentence.act == "unknown" else LIKELY
             score = min(score, SURE if sentence.act == "cue" else free)
         elif name in ("n", "nth"):
             slots["number"] = _number(texts_of(words), start, hearing)
         else:
-            known = frames(hearing.language)
-            if known is not None and is_cut_short(start, end, words, known):
+            found = _slot(sentence, label, (start, end), words, hearing)
+            if found is None:
                 return None
-            several = sentence.extra == "list"
-            value, trust = (
-                _names(part, hearing)
-                if several
-                else _name(part, "new" if name in ("name", "new") else limit, hearing)
-            )
-            nobody = value in _NOBODY and (start == 0 or sentence.act != "rename")
-            if value is None or nobody:
-                return None
-            if isinstance(value, str) and value.startswith(_NO_NAMES):
-                return None
-            slots[name] = value
-            score = min(score, trust)
+            slots[name], score = found[0], min(score, found[1])
     if sentence.extra == "text":
         slots["text"] = said(words)
     spoken_of = (text for _, s, e in bound for text in texts_of(words[s:e]))
-    naming = ("unknown", "save", "load", "compare", "rename", "add_subtask")
-    if sentence.act not in naming and any(text in hearing.book.chat for text in spoken_of):
+    if sentence.act not in _NAMING and any(text in hearing.book.chat for text in spoken_of):
         return None
     act = _act(sentence, slots)
     return None if act is None else Parse((act,), score)
+
+
+def _slot(
+    sentence: Sentence, label: str, span: Span, words: Words, hearing: Hearing
+) -> tuple[Any, float] | None:
+    """Return the names of a slot and how far they are trusted; None where they are none."""
+    name, _, limit = label.partition(":")
+    known = frames(hearing.language)
+    part = words[slice(*span)]
+    if known is not None and is_cut_short(*span, words, known):
+        return None
+    new = name in ("name", "new")
+    several = sentence.extra == "list"
+    value, trust = (
+        _names(part, hearing) if several else _name(part, "new" if new else limit, hearing)
+    )
+    if value is None or known is None or not isinstance(value, str):
+        return None if value is None else (value, trust)
+    nobody = value in known.small("no_names") and (span[0] == 0 or sentence.act != "rename")
+    started = value.partition(" ")[0] in known.small("no_name_starts") and " " in value
+    return None if nobody or started else (value, trust)
 
 
 def _number(texts: Phrase, at: int, hearing: Hearing) -> float | None:
@@ -166,9 +147,10 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
         return found, SURE
     if limit == "known" and not _refers(texts_of(part), hearing):
         return None, 0.0
-    if any(text in ("i", "he", "she", "they", "who") for text in texts_of(part)):
+    if _small("persons", hearing) & set(texts_of(part)):
         return said(part), DOUBTFUL
-    if limit == "known" and not set(texts_of(part)) & _STEPS and not part[0].text.endswith("ing"):
+    steps = _small("step_words", hearing)
+    if limit == "known" and not set(texts_of(part)) & steps and not part[0].text.endswith("ing"):
         return said(part), 0.8
     value, trust = _unresolved(part, hearing)
     if any(w.text in hearing.book.impure for w in part) or any(w.broken for w in part[1:]):
@@ -186,8 +168,10 @@ def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
     """Take words no name begins or ends with off its ends: "of lifting", "gripping always"."""
     ends = hearing.book.impure
     known = None if new else frames(hearing.language)
-    heads = (known.little["heads"] - _STEPS if known else frozenset()) | ends | _BEFORE_NAMES
-    tails = (known.little["tails"] - _STEPS if known else frozenset()) | ends
+    steps = _small("step_words", hearing)
+    heads = (known.little["heads"] - steps if known else frozenset()) | ends
+    heads |= _small("before_names", hearing)
+    tails = (known.little["tails"] - steps if known else frozenset()) | ends
     tails -= known.small("particles") if known else frozenset()
     counted = hearing.book.numbers
     while len(words) > 1 and words[0].text in heads and not counted.number(texts_of(words), 1):
@@ -204,36 +188,32 @@ def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
     texts = texts_of(part)
     numbers = hearing.book.numbers
     counted = numbers.ordinal(texts, 0) or numbers.number(texts, 0)
-    numbered = texts[0] in _STEPS and numbers.number(texts, 1) is not None
-    placed = texts[-1] in _STEPS and (counted or texts[0] in ("next", "last", "final"))
+    steps = _small("step_words", hearing)
+    numbered = texts[0] in steps and numbers.number(texts, 1) is not None
+    ranked = counted or texts[0] in _small("ranks", hearing)
+    placed = texts[-1] in steps and ranked
     if placed or (numbered and len(texts) == 2):
         return said(part), LIKELY + 0.03
-    if texts[0] in _STEPS and len(texts) > 1:
+    if texts[0] in steps and len(texts) > 1:
         part = part[2:] if texts[1] == "of" and len(part) > 2 else part[1:]
     if counted and counted[1] == len(texts):
         return said(part), DOUBTFUL
-    if len(part) > 1 and texts[-1] in _STEPS:
+    if len(part) > 1 and texts[-1] in steps:
         part = part[:-1]
     return said(part), LIKELY
 
 
 def _refers(texts: Phrase, hearing: Hearing) -> bool:
     """Tell whether words name a step without any task known: "step two", "moving up"."""
-    steps = {"step", "subtask", "part", "primitive"}
-    verbs = {
-        "move",
-        "grasp",
-        "lift",
-        "place",
-        "approach",
-        "pick",
-        "turn",
-        "release",
-        "lower",
-        "put",
-    }
     counted = hearing.book.numbers.ordinal(texts, 0) is not None and texts[1:] in ((), ("one",))
-    return counted or bool(set(texts) & steps) or texts[0].endswith("ing") or texts[0] in verbs
+    stepping = bool(set(texts) & _small("step_words", hearing)) or texts[0].endswith("ing")
+    return counted or stepping or texts[0] in _small("step_verbs", hearing)
+
+
+def _small(name: str, hearing: Hearing) -> frozenset[str]:
+    """Return small words of the language that do something in names."""
+    known = frames(hearing.language)
+    return known.small(name) if known else frozenset()
 
 
 def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, float]:
@@ -243,7 +223,7 @@ def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, floa
         return tuple(str(value) for value, _ in found_two), min(t for _, t in found_two)
     parts: list[list[Word]] = [[]]
     for word in words:
-        if word.text in ("and", "or", "with", "plus", "both", "either", "nor", "und", "oder"):
+        if word.text in _small("name_joints", hearing):
             parts.append([])
             continue
         if word.broken:

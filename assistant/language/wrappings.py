@@ -97,7 +97,7 @@ def headed(words: Words, book: Phrasebook) -> Words:
 def _name(words: Words, book: Phrasebook) -> Words:
     """Return what follows the last anchor, or what no wrapping leads up to."""
     anchored = _after_anchor(words, book.wrapping["anchors"])
-    wraps = {phrase[0] for phrase in book.wrapping["wraps"]}
+    wraps = book.leading_words("wraps")
     parts = _parts(anchored)
     while len(parts) > 1 and all(word.text in wraps for word in parts[0]):
         parts = parts[1:]
@@ -124,7 +124,7 @@ def _after_anchor(words: Words, anchors: Sequence[Phrase]) -> Words:
 
 def _unwrapped(words: Words, book: Phrasebook) -> Words:
     """Take words of wrapping off the front, articles only where more of it follows."""
-    wraps = {phrase[0] for phrase in book.wrapping["wraps"]}
+    wraps = book.leading_words("wraps")
     at = 0
     for n, word in enumerate(words[:-1]):
         if word.text in wraps:
@@ -153,26 +153,11 @@ def _tail(words: Words, tails: Sequence[Phrase]) -> int:
 
 def _bodies(words: Words, book: Phrasebook) -> Words:
     """Return the things of "what we have got here, you know, is a can and a pot"."""
-    uses = {phrase[0] for phrase in book.wrapping["uses"]}
-    after = {phrase[0] for phrase in book.wrapping["after_items"]}
+    uses, after = book.leading_words("uses"), book.leading_words("after_items")
     texts = _texts(words)
     starts = [at for at in range(1, len(texts)) if texts[at] in _ARTICLES and texts[at - 1] in uses]
-    told = texts[0] in (
-        "you",
-        "we",
-        "i",
-        "it",
-        "there",
-        "this",
-        "that",
-        "what",
-        "so",
-        "well",
-        "only",
-    )
-    starts = starts or [
-        at for at in range(1, min(8, len(texts))) if told and texts[at] in _ARTICLES
-    ]
+    if not starts and texts[0] in book.leading_words("clause_starts"):
+        starts = [at for at in range(1, min(8, len(texts))) if texts[at] in _ARTICLES]
     if starts and not any(text in _ARTICLES - {"one"} for text in texts[: starts[0]]):
         words, texts = words[starts[0] :], texts[starts[0] :]
     end = next((at for at in range(2, len(texts)) if texts[at] in after), len(texts))
