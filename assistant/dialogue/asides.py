@@ -15,6 +15,7 @@ from assistant.dialogue.replying import in_state
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
 from assistant.dialogue.state import (
+    AwaitingShow,
     Closed,
     Dialogue,
     Introducing,
@@ -163,6 +164,9 @@ def _standing(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) 
 
 
 def _puzzled(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> Turn | None:
+    how = mentions(words.text, hints("how_to_show", dialogue.language))
+    if isinstance(dialogue.state, AwaitingShow) and dialogue.pending is None and how:
+        return tell(dialogue, help_line(dialogue))
     if not isinstance(dialogue.state, Introducing) or not is_puzzled(words.text, dialogue.language):
         return None
     return tell(dialogue, help_line(dialogue))

@@ -15,6 +15,7 @@ from assistant.dialogue.naming import as_said, begins_or_ends_with_verb, is_odd,
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.turn import Turn, Words, first, line, say
+from assistant.language.hints import hints
 from assistant.model import teacher_acts as acts
 from assistant.model.teacher_acts import act_to_json
 
@@ -70,7 +71,8 @@ def doubted(
         return instead
     if _says_yes_or_no(meant) and dialogue.pending is not None:
         return _yes_or_no(dialogue)
-    if all(isinstance(act, acts.Unknown) for act in meant) or not _fresh(dialogue, meant):
+    asks = _says_yes_or_no(meant) and _asks(dialogue, words.text)
+    if all(isinstance(act, acts.Unknown) for act in meant) or asks or not _fresh(dialogue, meant):
         return misunderstood(dialogue, words)
     told = [_told(act, words.text) for act in meant]
     guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
@@ -115,6 +117,13 @@ def _no_such_step(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> Tur
 
 def _says_yes_or_no(meant: tuple[acts.TeacherAct, ...]) -> bool:
     return all(isinstance(act, acts.Affirm | acts.Deny) for act in meant)
+
+
+def _asks(dialogue: Dialogue, text: str) -> bool:
+    """Whether a text asks something, so that it is neither a yes nor a no."""
+    words = text.lower().split()
+    first_word = words[0] if words else ""
+    return text.rstrip().endswith("?") or first_word in hints("question_words", dialogue.language)
 
 
 def _yes_or_no(dialogue: Dialogue) -> Turn:

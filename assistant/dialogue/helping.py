@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import question, stage
 from assistant.dialogue.effects import Effect, Say
-from assistant.dialogue.state import Dialogue, Watching
+from assistant.dialogue.state import AwaitingShow, Dialogue, Watching
 from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, line
 from assistant.model.robot_acts import RobotAct
@@ -22,6 +22,7 @@ def help_line(dialogue: Dialogue) -> RobotAct:
     if dialogue.arm not in ("moving", "paused", "stopped", "checking"):
         topic = asked.asked if asked is not None and asked.asked else stage(dialogue)
         topic = "count_of" if asked is not None and asked.topic == "count_of" else topic
+        topic = "demonstration" if isinstance(dialogue.state, AwaitingShow) else topic
         topic = "watching" if isinstance(dialogue.state, Watching) else topic
     return line("help", topic, things=thing_names(dialogue.known.scene, dialogue.known.setup))
 

@@ -65,7 +65,9 @@ def pause(dialogue: Dialogue) -> Turn:
         return first((Halt("pause"),), say(replace(dialogue, arm="paused"), line("told", "paused")))
     if dialogue.arm in ("checking", "homing"):
         return stop(dialogue)
-    return say(dialogue, line("told", "still"))
+    # Before anything could move, "wait" asks for time.
+    practice = isinstance(dialogue.state, Ready | Ran | Running | Thinking | Watching)
+    return say(dialogue, line("told", "still" if practice else "waiting"))
 
 
 def resume(dialogue: Dialogue) -> Turn:

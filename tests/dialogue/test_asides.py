@@ -226,3 +226,14 @@ def test_the_task_is_named_by_what_is_to_be_taught(text: str, name: str, languag
 def test_a_size_is_no_name_of_a_task() -> None:
     teacher = Lessons().open().tell("8 wide 9 high")
     assert teacher.topics == ["confirm.odd_name"]
+
+
+@pytest.mark.parametrize("text", ["how do I show you", "ok, how?", "with my mouse"])
+def test_who_asks_how_to_show_is_told_before_the_robot_watches(text: str) -> None:
+    teacher = Lessons().confirmed().hear(acts.Start(), text=text, sure=0.7)
+    assert teacher.topics == ["help.demonstration", "ask.ready_to_watch"]
+
+
+def test_a_question_is_no_doubtful_yes() -> None:
+    teacher = Lessons().ready().hear(acts.Affirm(), text="is it heavy", sure=0.5)
+    assert teacher.topics == ["error.not_understood", "ask.ready_slow"]

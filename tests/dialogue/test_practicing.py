@@ -161,3 +161,8 @@ def test_after_a_refusal_why_is_answered_with_its_reason_and_nothing_moves(words
     teacher.hear(acts.Affirm(), text=words)
     assert teacher.topics[0] == "explain.reach.only"
     assert not teacher.did(fx.Check)
+
+
+def test_who_asks_to_wait_before_anything_moved_is_given_time() -> None:
+    assert Lessons().introduce().hear(acts.Pause(), text="hmm wait").topics == ["told.waiting"]
+    assert Lessons().ready().hear(acts.Pause(), text="wait").topics == ["told.still"]
