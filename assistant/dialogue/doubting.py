@@ -62,6 +62,7 @@ def doubted(
     """
     if isinstance(dialogue.state, Watching) and not _ends(meant):
         return dialogue, ()
+    meant = tuple(_of_what_was_asked(dialogue, act) for act in meant)
     instead = (
         _steps_listed(dialogue, words)
         or _place_shown(dialogue, meant)
@@ -138,6 +139,14 @@ def _topic(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> str:
     if isinstance(state, Introducing) and isinstance(only, acts.Inform):
         return f"{TOPIC}.{state.asked}" if isinstance(only.value, str) else TOPIC
     return TOPIC
+
+
+def _of_what_was_asked(dialogue: Dialogue, act: acts.TeacherAct) -> acts.TeacherAct:
+    """Return a place told of no thing as one of the thing asked about."""
+    state = dialogue.state
+    if isinstance(state, Introducing) and isinstance(act, acts.SetPose) and not act.object:
+        return replace(act, object=state.thing)
+    return act
 
 
 def _told(act: acts.TeacherAct, text: str) -> dict[str, object]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assistant.dialogue import reviewing
 from assistant.dialogue.finding import find
-from assistant.dialogue.naming import listed_steps, number_of
+from assistant.dialogue.naming import is_nothing, listed_steps, number_of, tidy_name
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
@@ -102,7 +102,8 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
         case "goal":
             return "?" not in text and len(text.split()) >= SHORTEST_GOAL
         case "subtask_count":
-            return values == (str(number_of(text, dialogue.language)),)
+            none = values == ("0",) and is_nothing(tidy_name(text), dialogue.language)
+            return none or values == (str(number_of(text, dialogue.language)),)
         case "subtask_name":
             return tells_action(text, dialogue.language)
         case asked:

@@ -97,3 +97,10 @@ def test_scratch_that_to_a_guess_takes_back_the_guess_alone() -> None:
     teacher.hear(acts.Undo(), text="scratch that")
     assert teacher.topics == ["told.as_it_was", "confirm.segmentation"]
     assert teacher.dialogue.known == before
+
+
+def test_a_place_of_nothing_is_one_of_the_thing_asked_about() -> None:
+    teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "target"))
+    teacher.tell("a box, 10 by 10 by 10")
+    teacher.hear(acts.SetPose("", (500.0, 100.0, 240.0)), text="500 x 100 x 240", sure=0.6)
+    assert teacher.lines[0].slots["acts"][0]["object"] == "teapot"
