@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from assistant.language.amounts import read_amount
 from assistant.language.cues import counted_cue, surer
@@ -128,11 +129,7 @@ def _requested(words: Words, hearing: Hearing) -> Parse | None:
     return None
 
 
-def _told_when(words: Words, hearing: Hearing) -> bool:
-    """Whether a clause begins with where it belongs: "after raising it ..." raises nothing."""
-    texts, where = texts_of(words), hearing.book.where
-    whens = (phrase for when in ("before", "after", "during") for phrase in where[when])
-    return any(len(phrase) > 0 and texts[: len(phrase)] == phrase for phrase in whens)
+_RENAMING = (AddSubtask, RemoveSubtask, Rename)
 
 
 def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
@@ -141,17 +138,17 @@ def _readings(words: Words, hearing: Hearing) -> Iterator[Parse]:
         yield sentence
         if sentence.score >= SURE:
             return
-    if sentence is not None and isinstance(sentence.acts[0], AddSubtask | RemoveSubtask | Rename):
+    located = located_correction(words, hearing)
+    placed = located is not None and located.score >= LIKELY
+    named = sentence is not None and isinstance(sentence.acts[0], _RENAMING)
+    if named and not placed:
         return
-    acted = acted_correction(words, hearing)
+    acted = None if named else acted_correction(words, hearing)
     if acted is not None:
         yield acted
-    located = located_correction(words, hearing)
     if located is not None:
-        yield located
-    if sentence is not None and sentence.score >= LIKELY:
-        return
-    if located is not None and located.score >= LIKELY and _told_when(words, hearing):
+        yield replace(located, score=SURE - 0.01) if named else located
+    if placed or (sentence is not None and sentence.score >= LIKELY):
         return
     texts = texts_of(words)
     pose = read_pose(texts, [w.broken for w in words], hearing.listening, hearing.book)

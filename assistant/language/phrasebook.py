@@ -223,7 +223,10 @@ def _vocatives(text: str) -> tuple[frozenset[Phrase], frozenset[Phrase]]:
     return frozenset(phrases(sure)), frozenset(phrases(f"{sure}, {others}"))
 
 
-_WHERE_WORDS = ("weak", "particles", "step_nouns", "no_steps", "no_places", "no_starts", "stated")
+_WHERE_WORDS = (
+    *("weak", "particles", "step_nouns", "no_steps", "no_places", "no_starts", "no_ends"),
+    "stated",
+)
 
 
 def _whens(where: Mapping[str, str]) -> Mapping[str, tuple[tuple[Phrase, When], ...]]:

@@ -84,6 +84,8 @@ def trust_in(texts: Phrase, phrase: Phrase, hearing: Hearing, *, told: bool = Fa
     It is `told` where a noun for a step stood behind: "in the tuck step".
     """
     book = hearing.book
+    if texts[-1] in book.where_words["no_ends"]:
+        return 0.0
     if texts in (("you",), ("i",), ("we",), ("the",)) or any(t in book.chat for t in texts):
         return 0.0
     if any(texts[: len(one)] == one for one, _ in book.whens.get(texts[0], ())):

@@ -23,6 +23,9 @@ from assistant.language.phrasebook import phrasebook
         ("20 percent", "ratio", 0.2),
         ("minus 248.6", "", -248.6),
         ("half a dozen", "", 6.0),
+        ("one centimetre and half", "m", 0.015),
+        ("an inch and three quarters", "m", 0.04445),
+        ("1 0.5 inches", "m", 0.0381),
     ],
 )
 def test_quantities_in_words(text: str, kind: str, value: float) -> None:
@@ -47,3 +50,25 @@ def test_digits_and_words_agree(number: int) -> None:
     words = words or ["zero"]
     assert numbers.number(words, 0) == (float(number), len(words))
     assert numbers.number([str(number)], 0) == (float(number), 1)
+
+
+@pytest.mark.parametrize("text", ["two cm and half the speed", "one inch and a third of that"])
+def test_half_of_something_else_is_no_part_of_a_measure(text: str) -> None:
+    found = phrasebook().numbers.quantity(text.split(), 0)
+    assert found is not None
+    assert found.end == 2
+
+
+@given(st.lists(st.integers(0, 9), min_size=2, max_size=4))
+def test_digits_said_one_by_one_make_a_number(digits: list[int]) -> None:
+    numbers = phrasebook().numbers
+    ones = {value: word for word, value in numbers.ones.items()}
+    told = [ones[digit] for digit in digits]
+    assert numbers.listed(told) == float("".join(map(str, digits)))
+    assert numbers.listed(["minus", *told]) == -float("".join(map(str, digits)))
+
+
+def test_hundreds_in_a_row_are_numbers_of_their_own() -> None:
+    words = ["four", "hundred", "one", "hundred", "seventy", "two", "hundred"]
+    numbers = phrasebook().numbers
+    assert [numbers.number(words, at) for at in (0, 2, 5)] == [(400.0, 2), (170.0, 5), (200.0, 7)]
