@@ -21,6 +21,7 @@ from assistant.model.teacher_acts import ACTS, Explain, TeacherAct, act_name, ac
 MOST_UNEXPLAINED = 3
 LONGEST_LINE = 40
 _TRUST = (LIKELY, 0.72, 0.58, 0.42)
+_COUNTED = ("seconds", "ordinal", "number")
 _NAMING = ("save", "load", "compare", "rename", "add_subtask")
 _TOLD = frozenset(("ordered", "rename", "add_subtask", "remove_subtask", "merge", "split"))
 _ASIDE, _ASIDE_WORD, _MORE = 0.02, 0.012, 0.06
@@ -57,27 +58,30 @@ def framed_as(act: str, words: Words, hearing: Hearing) -> Parse | None:
         return None
     best: Parse | None = None
     for part in stretches(words, known):
-        spans = spans_of(texts_of(part), known, hearing.book.numbers)
         dropped = len(words) - len(part)
         left_out = _ASIDE + _ASIDE_WORD * dropped if dropped else 0.0
-        for frame in known.told_by(spans):
-            if frame.act != act or not _applies(frame, hearing, spans):
-                continue
-            found = _filled(frame, part, spans, hearing)
-            worth = found[0].score - left_out + _MORE * len(frame.names) if found else 0.0
-            if found is not None and (best is None or worth > best.score):
-                best = Parse(found[0].acts, worth, found[0].how)
-        told = next((best_sentence(bare, hearing) for bare in bared(part, hearing.book)), None)
-        if told is None or [act_name(one) for one in told.acts] != [act]:
-            continue
-        odd = _MORE if told.score <= _ODD else 0.0
-        worth = told.score - left_out - odd + _MORE * _names_in(told.acts[0])
-        if best is None or worth > best.score:
-            best = Parse(told.acts, worth, told.how)
+        for found in _expected(act, part, known, hearing):
+            if best is None or found.score - left_out > best.score:
+                best = Parse(found.acts, found.score - left_out, found.how)
     if best is None:
         return None
     most = LIKELY if best.how == "sentence" else NAMED
     return Parse(best.acts, min(best.score, most), best.how)
+
+
+def _expected(act: str, part: Words, known: Frames, hearing: Hearing) -> Iterator[Parse]:
+    """Yield an act as frames and sentences read it in a part, more worth the more they name."""
+    spans = spans_of(texts_of(part), known, hearing.book.numbers)
+    for frame in known.told_by(spans):
+        if frame.act == act and _applies(frame, hearing, spans):
+            found = _filled(frame, part, spans, hearing)
+            if found is not None:
+                worth = found[0].score + _MORE * len(frame.names)
+                yield Parse(found[0].acts, worth, found[0].how)
+    told = next((best_sentence(bare, hearing) for bare in bared(part, hearing.book)), None)
+    if told is not None and [act_name(one) for one in told.acts] == [act]:
+        odd = _MORE if told.score <= _ODD else 0.0
+        yield Parse(told.acts, told.score - odd + _MORE * _names_in(told.acts[0]), told.how)
 
 
 def _names_in(act: TeacherAct) -> int:
@@ -169,31 +173,42 @@ def _named(
     """Return the act with the words no class took as its names."""
     if frame.act == "explain":
         return Parse((Explain(said(words)),), LIKELY - 0.02, "frame")
-    slots: dict[str, Any] = {k: v for k, v in frame.slots.items() if not v.startswith("{")}
-    wanted = tuple(one for one in frame.names if one[1] not in ("seconds", "ordinal", "number"))
-    for slot, kind in set(frame.names) - set(wanted):
-        # Of two counts the last holds where one is denied: "not at 10, it ends at 11".
-        chosen = max(spans[kind]) if "no" in spans else spans[kind][0]
-        slots[slot] = _counted_value(slot, kind, texts_of(words)[slice(*chosen)], hearing)
+    slots = _counted_slots(frame, words, spans, hearing)
+    wanted = tuple(one for one in frame.names if one[1] not in _COUNTED)
     if not wanted:
         left = len(set(range(len(words))) - used - blank)
         return Parse((_act(frame, slots),), _TRUST[min(left, 3)], "frame")
     whole = frame.act in _NAMING[:3]
     runs = Runs.of(words, used, blank, spans, hearing, whole=whole)
     if wanted[0][1] == "*":
-        pair = runs.two()
-        if pair is None:
-            return None
-        slots[wanted[0][0]] = tuple(named_text(words, run, hearing) for run in pair)
-        return Parse((_act(frame, slots),), NAMED if len(runs.found) == 2 else _TRUST[1], "named")
+        pair = tuple(named_text(words, run, hearing) for run in runs.two() or ())
+        made = _act(frame, {**slots, wanted[0][0]: pair})
+        return (
+            Parse((made,), NAMED if len(runs.found) == 2 else _TRUST[1], "named") if pair else None
+        )
     trust = min(_TRUST[min(max(len(runs.found) - len(wanted), 0), 3)], NAMED)
     taken = _taken(frame, wanted, runs, used, words, spans, blank)
     if taken is None:
         return None
-    for slot, run in taken.items():
-        new = slot in ("new", "name")
-        slots[slot] = said(words[slice(*run)]) if new else named_text(words, run, hearing)
+    slots |= {slot: _told(slot, words, run, hearing) for slot, run in taken.items()}
     return Parse((_act(frame, slots),), trust, "named")
+
+
+def _told(slot: str, words: Words, run: Span, hearing: Hearing) -> str:
+    """Return a name as it was said where it is new, else the known one it refers to."""
+    new = slot in ("new", "name")
+    return said(words[slice(*run)]) if new else named_text(words, run, hearing)
+
+
+def _counted_slots(frame: Frame, words: Words, spans: Spans, hearing: Hearing) -> dict[str, Any]:
+    """Return the slots that are fixed, or told by a number, a place in an order, or a time."""
+    slots: dict[str, Any] = {k: v for k, v in frame.slots.items() if not v.startswith("{")}
+    for slot, kind in frame.names:
+        if kind in _COUNTED:
+            # Of two counts the last holds where one is denied: "not at 10, it ends at 11".
+            chosen = max(spans[kind]) if "no" in spans else spans[kind][0]
+            slots[slot] = _counted_value(slot, kind, texts_of(words)[slice(*chosen)], hearing)
+    return slots
 
 
 def _taken(

@@ -40,3 +40,7 @@ def test_every_match_begins_with_a_first_word(words: list[str]) -> None:
     if any(True for _ in matches(nodes, words)):
         assert words[0] in firsts
         assert set(words) <= all_words(nodes)
+
+
+def test_a_slot_inside_a_choice_may_be_followed_by_more() -> None:
+    assert bound("(it|the {x}) is {value}", "the cup is red") == [{"x": "cup", "value": "red"}]
