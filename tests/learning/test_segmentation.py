@@ -170,6 +170,14 @@ def test_parts_shown_in_another_order_are_recognized() -> None:
     assert len(named) == len(shown.names)
 
 
+@pytest.mark.parametrize("seed", [70_413, 70_418])
+def test_what_was_told_to_be_free_may_be_shown_the_other_way_round(seed: int) -> None:
+    shown = generator_b.generate(seed)
+    assert shown.names != tuple(leaf.name for leaf in primitives(shown.task.tree))
+    found = segment(shown.demonstration, shown.task)
+    assert tuple(episode.primitive for episode in found.episodes) == shown.names
+
+
 def test_assignments_of_the_teacher_are_certain() -> None:
     shown = generator_a.generate(70_002)
     name = shown.names[2]
