@@ -71,6 +71,9 @@ PACES = (
 Asking = Callable[[Pace], Asked]
 STEPS = tuple(pace for pace in PACES if pace.ticks > 5)
 """A step that cannot be made to its end is not begun: only its haste is tried."""
+SMALL_M = 0.02
+SMALL_STEPS = (*STEPS, Pace(0.08, 0.1, 10), Pace(0.03, 0.05, 10))
+"""With the elbow nearly straight even a small step of the hand is a great one for it."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,7 +123,9 @@ class Jogger:
         self, now: Driven, goal: Array, most: tuple[float, float], *, seats: bool = False
     ) -> Jog | Refusal:
         """Return a motion of the tip to a pose, at no more than so many m/s and rad/s."""
-        return self._tried(now, STEPS, lambda pace: stepped(now, goal, most, pace), seats)
+        far = float(np.linalg.norm(goal[:3] - now.tip[:3])) > SMALL_M
+        paces = STEPS if far else SMALL_STEPS
+        return self._tried(now, paces, lambda pace: stepped(now, goal, most, pace), seats)
 
     def halting(self, now: Driven) -> Jog | Refusal:
         """Return a motion that brakes."""
@@ -132,7 +137,7 @@ class Jogger:
         now = seated(now, asked(paces[0])[0], self._tour) if seats else now
         found = self._checked(now, asked(paces[-1]))
         hard = isinstance(found, Refusal) and found.reason != "speed"
-        if hard and (paces is STEPS or not now.speed.any()):
+        if hard and (paces is not PACES or not now.speed.any()):
             # What even the gentlest motion meets is met by all: the answer is given at once.
             return found
         # The wrist takes the side that suits later ways if that costs no time now.

@@ -5,13 +5,21 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assistant.geometry import Array, compose, quat_inverse, quat_multiply, quat_to_rotvec
+from assistant.geometry import (
+    Array,
+    compose,
+    quat_from_rotvec,
+    quat_inverse,
+    quat_multiply,
+    quat_to_rotvec,
+)
 from assistant.model.motion import Refusal
 from sim import a465
 from sim.driving import GAIN_M_S2, TIP, Driven, Pace, driven, stepped
 from sim.jogging import LEAVES_RAD, Jog, Jogger, joint_path
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward
+from sim.world import CONTROL_S
 from tests.sim.placing import lesson
 
 SPEED = {
@@ -125,3 +133,17 @@ def test_a_jog_is_a_motion_for_an_arm(jogger: Jogger) -> None:
     assert motion.t_s[-1] == pytest.approx(0.02 * (len(jog.q) - 1))
     assert motion.peak_hand_speed_m_s == pytest.approx(0.1, rel=1e-3)
     assert motion.joint_margin_deg > 0.0
+
+
+@pytest.mark.parametrize("turn_deg", [2.0, 1.3, 0.5])
+def test_a_step_with_the_elbow_nearly_straight_is_made_gently(
+    jogger: Jogger, turn_deg: float
+) -> None:
+    # High above the target of the demonstration, almost as far out as the arm goes.
+    now = Driven.resting(np.deg2rad([-24.6, 55.5, 23.2, 82.9, 58.3, -76.7]))
+    turn = quat_from_rotvec(np.array([0.0, 0.0, np.deg2rad(turn_deg)]))
+    goal = np.concatenate([now.tip[:3], quat_multiply(turn, now.tip[3:])])
+    jog = jogger.to(now, goal, (0.1, 0.5))
+    assert isinstance(jog, Jog)
+    assert jog.tips[-1] == pytest.approx(goal, abs=1e-9)
+    assert len(jog.q) * CONTROL_S < 2.0
