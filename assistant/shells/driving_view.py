@@ -15,8 +15,8 @@ from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
 
-NEAR_MM, NEAR_DEG = 2.0, 1.5
-"""So near the hand is there."""
+NEAR_MM, NEAR_DEG = 0.5, 0.4
+"""So near the hand is there: what is let go then lies in line, as practice measures it."""
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""
 TURNS = ("q", "e")
@@ -94,11 +94,11 @@ def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]
     ways = words["keys"]
     for away, keys in zip(gap.xyz_mm, WAYS, strict=True):
         key = key_for(keys[0 if away > 0 else 1], facing=facing)
-        if round(abs(away)):
-            yield str(words["step"]).format(mm=round(abs(away)), way=ways[key], key=key)
-    if round(abs(gap.yaw_deg)):
+        if abs(away) >= NEAR_MM:
+            yield str(words["step"]).format(mm=max(round(abs(away)), 1), way=ways[key], key=key)
+    if abs(gap.yaw_deg) >= NEAR_DEG:
         key = TURNS[0 if gap.yaw_deg > 0 else 1]
-        yield str(words["turn"]).format(deg=round(abs(gap.yaw_deg)), way=ways[key], key=key)
+        yield str(words["turn"]).format(deg=max(round(abs(gap.yaw_deg)), 1), way=ways[key], key=key)
 
 
 def in_the_way(

@@ -6,11 +6,22 @@ from typing import Any
 import numpy as np
 import pytest
 
+from assistant.geometry import compose, inverse, pose_from_mm_deg, quat_multiply
 from assistant.language.hints import page
 from assistant.model.motion import ArmReport, Refusal
+from assistant.model.placing import in_line
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
-from assistant.shells.driving_view import Gap, gap_line, gaps, in_the_way, key_for, step_line
+from assistant.shells.driving_view import (
+    NEAR_DEG,
+    NEAR_MM,
+    Gap,
+    gap_line,
+    gaps,
+    in_the_way,
+    key_for,
+    step_line,
+)
 from sim.driving import TIP
 
 WORDS = page("terminal")["driving"]
@@ -49,6 +60,27 @@ def test_going_the_way_told_leads_there(table: tuple[ArmLook, Scene]) -> None:
     assert "o opens the hand" in gap_line(there, WORDS, facing=False, holding=True)
     held = gaps(replace(look, held="block"), scene, TIP)[0]
     assert "in the hand" in gap_line(held, WORDS, facing=False, holding=True)
+
+
+@pytest.mark.parametrize("signs", [(1.0, 1.0, 1.0), (-1.0, 1.0, -1.0), (1.0, -1.0, 0.0)])
+def test_who_is_told_to_let_go_is_in_line(
+    table: tuple[ArmLook, Scene], signs: tuple[float, float, float]
+) -> None:
+    look, scene = table
+    body = scene.bodies["block"]
+    least = np.array([*signs[:2], 0.0])
+    for share in (0.99, 2.0):
+        off = pose_from_mm_deg(share * NEAR_MM * least, (0, 0, share * NEAR_DEG * signs[2]))
+        goal = compose(look.bodies["target"], scene.bodies["target"].hand_in_body)
+        tip = compose(goal, TIP)
+        moved = np.concatenate([tip[:3] + off[:3], quat_multiply(off[3:], tip[3:])])
+        hand = compose(moved, inverse(TIP))
+        gap = gaps(replace(look, hand=hand), scene, TIP)[1]
+        place = inverse(body.hand_in_body)
+        lies = in_line(body, compose(hand, place), compose(goal, place), "target")
+        assert gap.there is (share < 1.0)
+        # Each way that is still to go is told: nobody stands before a gap that says nothing.
+        assert lies if gap.there else len(gap_line(gap, WORDS, facing=False, holding=True)) > 20
 
 
 def test_a_gap_of_nothing_is_there() -> None:
