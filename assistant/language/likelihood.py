@@ -8,6 +8,7 @@ read, and says which act to look for where the grammar read none. The weights ar
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -18,11 +19,12 @@ from zlib import crc32
 import numpy as np
 from numpy.typing import NDArray
 
+from assistant.language.families import families
 from assistant.language.frames import classes_of
 from assistant.language.phrasebook import LANGUAGES, Phrase
 from assistant.model.listening import Listening
 
-BUCKETS = 1 << 13
+BUCKETS = 1 << 14
 """Features are kept by a hash of their text."""
 _CHARS = 4
 
@@ -87,18 +89,32 @@ def features(said: Phrase, respelled: Phrase, listening: Listening, language: st
         for at in range(max(1, len(padded) - _CHARS + 1))
     ]
     classes = [f"@{name}" for name in classes_of(respelled, language)]
+    alike = _alike(respelled, language)
     context = [f"?{asked}", f"!{listening.stage}", f"?!{asked} {listening.stage}"]
     place = [f"{asked}: {word}" for word in respelled] if listening.asked else []
-    return [*context, *words, *pairs, *threes, *classes, *place, *letters]
+    return [*context, *words, *pairs, *threes, *classes, *place, *letters, *alike]
+
+
+def _alike(words: Phrase, language: str) -> list[str]:
+    """Return the families the words belong to, alone and in pairs."""
+    told = [families(word, language) for word in words]
+    small = ("<", *(f"f{one}" for one, _ in told), ">")
+    large = ("<", *(f"g{one}" for _, one in told), ">")
+    pairs = (*itertools.pairwise(small), *itertools.pairwise(large))
+    return [f"~{one}" for one in (*small, *large, *(f"{a} {b}" for a, b in pairs))]
 
 
 def scales(told: Sequence[str]) -> NDArray[np.float32]:
     """Return what each feature counts: a long sentence is no surer than a short one."""
-    context = np.array([one.startswith(("?", "!")) for one in told])
-    letters = np.array([one.startswith("#") for one in told])
-    count = max(1, int((~context & ~letters).sum()))
-    found = np.where(letters, 1.5 / np.sqrt(max(1, letters.sum())), 3.0 / np.sqrt(count))
-    return np.where(context, 1.0, found).astype(np.float32)
+    groups = [_GROUPS.get(one[:1], "words") for one in told]
+    scale = {name: most / math.sqrt(max(1, groups.count(name))) for name, most in _MOST.items()}
+    scale["context"] = 1.0
+    return np.array([scale[name] for name in groups], dtype=np.float32)
+
+
+_GROUPS = {"#": "letters", "~": "families", "?": "context", "!": "context"}
+_MOST = {"words": 3.0, "letters": 1.5, "families": 2.0}
+"""How much features of a group count together."""
 
 
 def label(act: str, slots: Mapping[str, Any]) -> str:
@@ -108,6 +124,11 @@ def label(act: str, slots: Mapping[str, Any]) -> str:
             return f"{act} {slots[name]}"
     if act in ("adjust_speed", "adjust_last"):
         return f"{act} factor"
+    if act in ("translate", "rotate"):
+        return f"{act} {slots['direction']}"
+    if act == "inform":
+        value = slots.get("value")
+        return "inform count" if isinstance(value, int | float) else "inform"
     if act == "cue":
         which = slots.get("which")
         return f"cue {which if isinstance(which, str) else 'number'}"

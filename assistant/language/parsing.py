@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from assistant.language.phrasebook import Phrase, Phrasebook
@@ -45,6 +45,25 @@ class Hearing:
     def names(self) -> frozenset[str]:
         """Words of the names of known objects."""
         return frozenset(w for name in self.listening.objects for w in name.lower().split())
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """A reading with what it was made from.
+
+    Parameters
+    ----------
+    words, heard : tuple of Word
+        As said without fillers, and after repair.
+    chances : mapping
+        How likely each label of an act is; empty for a language without a model.
+    """
+
+    parse: Parse
+    words: Words
+    heard: Words
+    chances: Mapping[str, float]
+    hearing: Hearing
 
 
 def texts_of(words: Sequence[Word]) -> Phrase:

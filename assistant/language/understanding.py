@@ -1,7 +1,8 @@
 """What a sentence means: the words, then as said, respelled, or as it may have sounded.
 
 Sentences of the phrasebook come first, then classes of words, then answers to the question
-asked, then the likest known sentence. Confidence stays low wherever a word was left over.
+asked, then the likest known sentence. Beside what this grammar reads stands what was learned
+from sentences; the likelier is chosen, and how far both agree tells how sure it is.
 """
 
 from __future__ import annotations
@@ -9,8 +10,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.language.answers import OPEN, trimmed
+from assistant.language.choosing import chosen
 from assistant.language.commands import command, consent, plain_answer, settled, unknown
-from assistant.language.confidence import Reading, sureness
 from assistant.language.fillers import without_fillers
 from assistant.language.guessing import guess, urgent
 from assistant.language.naming import known_name
@@ -23,6 +24,7 @@ from assistant.language.parsing import (
     SURE,
     Hearing,
     Parse,
+    Reading,
     texts_of,
 )
 from assistant.language.phrasebook import phrasebook
@@ -60,7 +62,7 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
     reading = read(text, listening, language)
     if not reading.words:
         return Understanding((Unknown(),), 0.9, text)
-    score = sureness(reading)
+    score = reading.parse.score
     if any(isinstance(act, Stop) for act in reading.parse.acts):
         score = max(score, ACTING) if has_stop_word(text, language) else min(score, DOUBTFUL)
     return Understanding(reading.parse.acts, round(score, 3), text)
@@ -86,8 +88,9 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     else:
         heard, parse = _best(words, hearing)
     chances = chances_of(words, heard, hearing)
-    parse = weighed(parse, heard, chances, hearing)
-    return Reading(parse, words, heard, chances, hearing)
+    grammar = weighed(parse, heard, chances, hearing)
+    choice = chosen(parse, grammar, words, chances, hearing)
+    return Reading(choice or grammar, words, heard, chances, hearing)
 
 
 def _once(words: Words) -> Words:

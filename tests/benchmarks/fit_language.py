@@ -5,11 +5,12 @@ run: python -m tests.benchmarks.fit_language [--write] [--show] [CORPUS to withh
 
 from __future__ import annotations
 
+import itertools
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from zlib import crc32
 
 import numpy as np
@@ -21,10 +22,11 @@ from assistant.language import likelihood
 from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.repair import respelled
 from assistant.language.similarity import spelled_out
-from assistant.language.words import words_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import STAGES
-from tests.benchmarks.bench_language import FILES, SURE, rows
+from assistant.plain_yaml import read_file
+from tests.benchmarks.aligning import prepared
+from tests.benchmarks.bench_language import CORPUS, FILES, FRESH, SURE, rows
 
 _PENALTY = 0.3
 _SPEAKER = 1.0
@@ -43,7 +45,7 @@ class Example:
 
 
 def spoken(files: Iterable[str]) -> Iterator[Example]:
-    """Yield the sentences of corpora."""
+    """Yield the sentences of corpora, in the words understanding goes about."""
     for file in files:
         for row in rows(file if file.endswith(".yaml") else f"{file}.yaml"):
             labels = tuple(
@@ -53,6 +55,14 @@ def spoken(files: Iterable[str]) -> Iterator[Example]:
                 )
             )
             yield Example(f"{file}/{row.speaker}", row.text, row.listening, labels, _SPEAKER)
+
+
+def chatted() -> Iterator[Example]:
+    """Yield what people say around a robot that is not meant for it, in every stage in turn."""
+    page = cast("Mapping[str, str]", read_file(CORPUS / "chat.yaml")[0].value)
+    for speaker, lines in page.items():
+        for line, stage in zip(lines.splitlines(), itertools.cycle(STAGES), strict=False):
+            yield Example(f"chat/{speaker}", line, Listening(stage=stage), ("unknown",), _SPEAKER)
 
 
 def _whole(value: Any) -> Any:
@@ -80,7 +90,7 @@ def matrix(examples: Sequence[Example], language: str) -> csr_matrix:
     at, columns = [0], list[int]()
     values: list[float] = []
     for one in examples:
-        words = words_of(one.text, book.contractions)
+        words = prepared(one.text, one.listening, book)
         told = likelihood.features(
             tuple(w.text for w in words),
             tuple(w.text for w in respelled(words, book, ())),
@@ -111,8 +121,16 @@ def fitted(
         return float(missed + _PENALTY * (told**2).sum() / 2), slope.ravel()
 
     start = np.zeros(size[0] * size[1])
-    found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 120})
+    found = minimize(loss, start, jac=True, method="L-BFGS-B", options={"maxiter": 70})
     return np.asarray(found.x).reshape(size)
+
+
+def model_of(examples: Sequence[Example]) -> likelihood.Model:
+    """Return the model fitted on examples."""
+    labels = sorted({told for one in examples for told in one.labels})
+    weights = np.array([one.weight for one in examples])
+    told = fitted(matrix(examples, "english"), targets(examples, labels), weights)
+    return likelihood.Model(tuple(labels), told.astype(np.float32))
 
 
 def targets(examples: Sequence[Example], labels: Sequence[str]) -> NDArray[np.float64]:
@@ -159,7 +177,8 @@ def write(weights: NDArray[np.float64], labels: Sequence[str]) -> None:
 def main() -> None:
     """Fit on all corpora but those named, and print how well these are known."""
     tested = [one for one in sys.argv[1:] if not one.startswith("-")]
-    learned = [*spoken(one for one in FILES if one not in tested), *written("english")]
+    learned = [*spoken(one for one in (*FILES, *FRESH) if one not in tested), *chatted()]
+    learned += written("english")
     unseen = list(spoken(tested))
     labels = sorted({told for one in [*learned, *unseen] for told in one.labels})
     weights = np.array([one.weight for one in learned])

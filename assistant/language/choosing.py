@@ -1,0 +1,282 @@
+"""Which reading of a line holds: those of the grammar and the learned ones beside each other.
+
+Readings that two independent ways arrive at are nearly always right. What readings look like is
+weighed by two logistic models: one chooses, one tells how sure the choice is. Their weights
+are fitted by `tests/benchmarks/fit_choice.py` on speakers the readings were not learned from.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any, cast
+
+from assistant.language.commands import settled
+from assistant.language.cutting import cuts
+from assistant.language.learned import learned
+from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
+from assistant.language.open_answers import MOTION
+from assistant.language.parsing import ACTING, GUESSED, LIKELY, Hearing, Parse, texts_of
+from assistant.language.phrasebook import LANGUAGES
+from assistant.language.repair import respelled
+from assistant.language.seeking import Chances, chance, label_of
+from assistant.language.words import Words
+from assistant.model.teacher_acts import (
+    AdjustLast,
+    Affirm,
+    Again,
+    Approve,
+    BeBrief,
+    BeThorough,
+    Cue,
+    Deny,
+    Explain,
+    GoBack,
+    Help,
+    Inform,
+    KeyState,
+    Load,
+    Pause,
+    Quit,
+    Redo,
+    RepeatLine,
+    SetPose,
+    Show,
+    Start,
+    Stop,
+    TeacherAct,
+    Undo,
+    Unknown,
+    act_to_json,
+)
+from assistant.plain_yaml import read_file
+
+CUT_BELOW = 0.93
+"""A line is cut where the whole is less likely one act."""
+PLAIN_FROM = 0.9
+"""A sentence of the phrasebook is weighed where its words tell its act less likely."""
+_NO_ANSWERS = (*MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
+_BESIDE_ANSWERS = (
+    *(Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load),
+    *(Inform, Unknown),
+)
+_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.93, 0.8, 0.75, 0.4
+"""What the grammar is sure of is doubted below."""
+_FREE_ANSWERS = ("goal", "facing")
+_MOST_WHOLE = 6
+_LEAST = 1e-4
+_SPREAD = 5.0
+
+
+@dataclass(frozen=True, slots=True)
+class Weights:
+    """What looks count for the choice and for how sure it is.
+
+    Parameters
+    ----------
+    sure_at : float
+        The probability from which few enough choices are wrong that they are acted on.
+    """
+
+    choice: Mapping[str, float]
+    sureness: Mapping[str, float]
+    sure_at: float
+
+
+@cache
+def weights(language: str) -> Weights | None:
+    """Return the weights of a language, read once; None if it has none."""
+    path = Path(__file__).parent / LANGUAGES[language.lower()] / "choice.yaml"
+    if not path.exists():
+        return None
+    page = cast("Mapping[str, Any]", read_file(path)[0].value)
+    choice, sureness = (
+        {name: float(value) for name, value in page[part].items()}
+        for part in ("choice", "sureness")
+    )
+    return Weights(choice, sureness, float(page["sure_at"]))
+
+
+def chosen(
+    first: Parse, weighed: Parse, words: Words, chances: Chances, hearing: Hearing
+) -> Parse | None:
+    """Return the reading that is likeliest with how sure that is; None without a model.
+
+    Parameters
+    ----------
+    first, weighed : Parse
+        What the grammar read, before and after its own weighing.
+    words : tuple of Word
+        The line without fillers.
+    """
+    known = weights(hearing.language)
+    if known is None or not chances or Stop() in weighed.acts or plain(weighed, chances):
+        return None
+    pool = candidates(first, weighed, words, chances, hearing)
+    ranked = ranking(pool, known.choice)
+    best = ranked[0][1]
+    right = 1 / (1 + math.exp(-_told(known.sureness, sure_looks(ranked))))
+    return Parse(best.acts, _score(best.acts, right, weighed, chances, words, hearing), "chosen")
+
+
+def _score(
+    acts: tuple[TeacherAct, ...],
+    right: float,
+    weighed: Parse,
+    chances: Chances,
+    words: Words,
+    hearing: Hearing,
+) -> float:
+    """Return how sure a choice is: what the grammar is sure of stays so unless it is doubted."""
+    known = weights(hearing.language)
+    score = scaled(right, known.sure_at if known else 1.0)
+    unheard = isinstance(weighed.acts[0], Unknown) or _chatting(words, hearing)
+    if unheard and not isinstance(acts[0], Unknown):
+        score = min(score, GUESSED)
+    if acts != weighed.acts:
+        return score
+    if _consenting(weighed, chances) or right >= _trusted_from(acts, hearing):
+        return max(score, weighed.score)
+    return score
+
+
+def _trusted_from(acts: tuple[TeacherAct, ...], hearing: Hearing) -> float:
+    """Return from which probability the grammar is trusted: known names and counts are plain."""
+    act, listening = acts[0], hearing.listening
+    pages = [act_to_json(one) for one in acts]
+    told = {str(value) for page in pages for value in page.values()}
+    told |= {str(page["where"].get("subtask")) for page in pages if page.get("where")}
+    if told & set(listening.subtasks) or isinstance(act, Unknown):
+        return 0.0
+    if isinstance(act, Inform):
+        free = isinstance(act.value, int) or listening.asked in _FREE_ANSWERS
+        return _PLAINLY if free else _ANSWERING
+    return _ASKING if isinstance(act, Explain) else _TRUSTED
+
+
+def _consenting(weighed: Parse, chances: Chances) -> bool:
+    """Tell whether yes and praise are the only rivals: after a question they say the same."""
+    first = max(chances, key=lambda label: chances[label])
+    return {first, *map(label_of, weighed.acts)} <= {"affirm", "approve"}
+
+
+def _chatting(words: Words, hearing: Hearing) -> bool:
+    """Tell talk of other matters, misspelled as well."""
+    spelled = respelled(words, hearing.book, hearing.listening.objects)
+    return bool({*texts_of(words), *texts_of(spelled)} & hearing.book.chat)
+
+
+def _kept_from(
+    acts: tuple[TeacherAct, ...], weighed: Parse, words: Words, hearing: Hearing
+) -> bool:
+    """Tell what is no reading of an answer: "open the hand" names a step where one is asked.
+
+    Nor is a yes or no told by words that stand in no list.
+    """
+    if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Affirm | Deny | Approve):
+        book = hearing.book
+        return any(w.text not in book.vocabulary and w.text not in book.real for w in words)
+    if not isinstance(weighed.acts[0], Inform):
+        return False
+    aside = isinstance(acts[0], _BESIDE_ANSWERS)
+    return not aside if weighed.score >= LIKELY else isinstance(acts[0], _NO_ANSWERS)
+
+
+def plain(weighed: Parse, chances: Chances) -> bool:
+    """Tell a sentence of the phrasebook whose words tell its act: nothing is left to weigh.
+
+    Where names or places are told, which words tell them is always weighed.
+    """
+    told = weighed.exact and kind_of(weighed.acts) not in ("named", "placed", "inform")
+    return told and chance(weighed.acts, chances) >= PLAIN_FROM
+
+
+def scaled(right: float, sure_at: float) -> float:
+    """Return a probability on the scale of confidence, where what is acted on begins higher."""
+    if right < sure_at:
+        return ACTING * right / sure_at
+    return ACTING + (1 - ACTING) * (right - sure_at) / (1 - sure_at)
+
+
+def ranking(
+    pool: Sequence[Candidate], choice: Mapping[str, float]
+) -> list[tuple[float, Candidate]]:
+    """Return readings with their shares of the probability, the likeliest first."""
+    worth = [_told(choice, one.looks) for one in pool]
+    top = max(worth)
+    odds = [math.exp(one - top) for one in worth]
+    shares = (one / sum(odds) for one in odds)
+    return sorted(zip(shares, pool, strict=True), key=lambda one: -one[0])
+
+
+def sure_looks(ranked: Sequence[tuple[float, Candidate]]) -> Looks:
+    """Return what tells how sure the first of ranked readings is."""
+    share = min(max(ranked[0][0], _LEAST), 1 - _LEAST)
+    second = ranked[1][0] if len(ranked) > 1 else 0.0
+    return {
+        **ranked[0][1].looks,
+        "share": math.log(share / (1 - share)),
+        "second": math.log(max(second, _LEAST)),
+        "many": len(ranked) / _SPREAD,
+    }
+
+
+def _told(weights: Mapping[str, float], looks: Looks) -> float:
+    return sum(weights.get(name, 0.0) * value for name, value in looks.items())
+
+
+def candidates(
+    first: Parse, weighed: Parse, words: Words, chances: Chances, hearing: Hearing
+) -> list[Candidate]:
+    """Return the readings of a line with what they look like."""
+    pool: dict[str, Candidate] = {}
+
+    def add(acts: tuple[TeacherAct, ...], looks: Looks) -> None:
+        one = pool.setdefault(key_of(acts), Candidate(acts))
+        one.looks = {**looks, **one.looks}
+
+    add(
+        weighed.acts,
+        {
+            "weighed": 1.0,
+            "weighed_score": _logit(weighed.score),
+            f"how_{weighed.how}": 1.0,
+            "exact": float(weighed.exact),
+        },
+    )
+    add(first.acts, {"first": 1.0, "first_score": _logit(first.score)})
+    chat = isinstance(weighed.acts[0], Unknown) and _chatting(words, hearing)
+    for acts, looks in [] if chat else _learned(weighed, words, chances, hearing):
+        if Stop() not in acts and not _kept_from(acts, weighed, words, hearing):
+            add(settled(Parse(acts, ACTING), hearing.listening).acts, looks)
+    found = list(pool.values())
+    look_at(found, weighed, words, chances, hearing)
+    return found
+
+
+def _learned(
+    weighed: Parse, words: Words, chances: Chances, hearing: Hearing
+) -> list[tuple[tuple[TeacherAct, ...], Looks]]:
+    """Return what was learned to read in a line as a whole, and cut into clauses."""
+    found: list[tuple[tuple[TeacherAct, ...], Looks]] = []
+    also = [label_of(act) for act in weighed.acts] if len(weighed.acts) == 1 else []
+    whole = learned(words, hearing, chances, also)
+    whole.sort(key=lambda one: -(one.act_log + one.slots_log))
+    for rank, one in enumerate(whole[:_MOST_WHOLE]):
+        looks = {"whole": 1.0, "whole_act": one.act_log, "whole_slots": one.slots_log}
+        found.append(((one.act,), {**looks, "whole_top": float(rank == 0)}))
+    if max(chances.values()) >= CUT_BELOW:
+        return found
+    for rank, cut in enumerate(cuts(words, hearing)):
+        looks = {"cut": 1.0, "cut_mean": cut.mean_log, "cut_least": cut.least_log}
+        looks |= {"cut_marked": cut.marked, "cut_top": float(rank == 0)}
+        found.append((tuple(one.act for one in cut.clauses), looks))
+    return found
+
+
+def _logit(share: float) -> float:
+    share = min(max(share, 0.01), 0.99)
+    return math.log(share / (1 - share))

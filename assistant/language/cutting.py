@@ -1,0 +1,70 @@
+"""Where a line may be cut into clauses of one act each, judged by how the clauses are read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+from assistant.language.learned import Learned, learned
+from assistant.language.parsing import Hearing
+from assistant.language.words import Words
+
+_JOINTS = frozenset(("and", "then", "but", "also", "plus", "so"))
+_MOST_CUTS = 5
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """Clauses as they are read, with how likely they are together."""
+
+    clauses: tuple[Learned, ...]
+    mean_log: float
+    least_log: float
+    marked: float
+
+
+def cuts(words: Words, hearing: Hearing) -> list[Cut]:
+    """Return the likeliest ways to cut a line into two or three clauses."""
+    places = [
+        at
+        for at in range(1, len(words))
+        if words[at].broken or (words[at].text in _JOINTS and at + 1 < len(words))
+    ][:_MOST_CUTS]
+    read: dict[tuple[int, int], Learned | None] = {}
+    found: list[Cut] = []
+    for count in (1, 2):
+        ways = [
+            one
+            for one in (_read(words, way, read, hearing) for way in combinations(places, count))
+            if one
+        ]
+        found.extend(sorted(ways, key=lambda one: -one.mean_log)[: 3 - count])
+    return found
+
+
+def _read(
+    words: Words,
+    way: tuple[int, ...],
+    read: dict[tuple[int, int], Learned | None],
+    hearing: Hearing,
+) -> Cut | None:
+    clauses: list[Learned] = []
+    for span in pairwise((0, *way, len(words))):
+        if span not in read:
+            read[span] = _best(words[slice(*span)], hearing)
+        clause = read[span]
+        if clause is None:
+            return None
+        clauses.append(clause)
+    logs = [one.act_log + one.slots_log for one in clauses]
+    marked = sum(words[at].broken for at in way) / len(way)
+    return Cut(tuple(clauses), sum(logs) / len(logs), min(logs), marked)
+
+
+def _best(words: Words, hearing: Hearing) -> Learned | None:
+    while len(words) > 1 and words[0].text in _JOINTS:
+        words = words[1:]
+    readings = learned(words, hearing, most=2)
+    if not readings or readings[0].label == "unknown":
+        return None
+    return max(readings, key=lambda one: one.act_log + one.slots_log)

@@ -1,0 +1,234 @@
+"""Which words of a clause fill the slots of an act: a linear chain over its words.
+
+The act is given; of all ways to spread its slots over the words the likeliest is taken, and
+how likely it is tells how sure that is. A slot that holds one name is filled once, and those
+an act cannot do without are filled. The weights are fitted by `tests/benchmarks/fit_slots.py`
+and shipped as ``slots.npz`` of a language.
+
+Source: conditional random fields (Lafferty, McCallum and Pereira 2001).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assistant.language.phrasebook import LANGUAGES
+from assistant.language.traits import Hashes, mixed, named
+
+SLOTS = (
+    "value",
+    "old",
+    "new",
+    "subtask",
+    "subtasks",
+    "first",
+    "second",
+    "name",
+    "after",
+    "before",
+    "object",
+    "where_before",
+    "where_during",
+    "where_after",
+    "amount",
+)
+TAGS = ("O", *(f"{edge}-{slot}" for slot in SLOTS for edge in "BI"))
+BUCKETS = 1 << 15
+Tagged = tuple[tuple[str, int, int], ...]
+_PLACED = ("where_before", "where_during", "where_after")
+TAKES: dict[str, tuple[str, ...]] = {
+    "inform": ("value",),
+    "inform many": ("value",),
+    "inform count": ("amount",),
+    "rename": ("old", "new"),
+    "optional": ("subtask",),
+    "required": ("subtask",),
+    "unordered": ("subtasks",),
+    "ordered": ("first", "second"),
+    "add_subtask": ("name", "after", "before"),
+    "remove_subtask": ("subtask",),
+    "merge": ("subtasks",),
+    "split": ("subtask",),
+    "move_cut": ("subtask",),
+    "move_cut at": ("subtask", "amount"),
+    "assign": ("amount", "subtask"),
+    "set_pose": ("object",),
+    "save": ("name",),
+    "load": ("name",),
+    "compare": ("name",),
+    "cue number": ("amount",),
+    "adjust_last": (),
+    "adjust_last factor": ("amount",),
+    "adjust_speed": _PLACED,
+    "adjust_speed factor": ("amount", *_PLACED),
+    "translate": ("amount", *_PLACED),
+    "rotate": ("amount", *_PLACED),
+    "gripper": _PLACED,
+}
+"""The slots of each kind of act that hold words or numbers of the sentence."""
+_FREE = frozenset(("name", "after", "before", "object", *_PLACED))
+_NAMED = frozenset(("add_subtask",))
+_MANY = frozenset(("inform many", "merge", "unordered"))
+_NEVER = -1e9
+Scores = NDArray[np.float32]
+_State = tuple[int, tuple[int, ...]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chain:
+    """A chain's weights.
+
+    Parameters
+    ----------
+    weights : array, shape (BUCKETS, tags)
+    steps : array, shape (tags, tags)
+        From one tag to the next.
+    """
+
+    weights: Scores
+    steps: Scores
+
+
+@dataclass(frozen=True, slots=True)
+class Tagging:
+    """The likeliest spread of slots over words, with how likely it is."""
+
+    spans: Tagged
+    probability: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ways:
+    """How an act may be spread over words.
+
+    Parameters
+    ----------
+    tags : array, shape (states,)
+        The tag of each state.
+    steps : array, shape (states, states)
+        Whether one may follow another.
+    begins, ends : array, shape (states,)
+        Whether a clause may begin or end there.
+    """
+
+    tags: NDArray[np.int64]
+    steps: NDArray[np.bool_]
+    begins: NDArray[np.bool_]
+    ends: NDArray[np.bool_]
+
+
+@cache
+def chain(language: str) -> Chain | None:
+    """Return the weights of a language, read once; None if it has none."""
+    path = Path(__file__).parent / LANGUAGES[language.lower()] / "slots.npz"
+    if not path.exists():
+        return None
+    with np.load(path) as file:
+        scale = float(file["scale"])
+        return Chain(file["weights"].astype(np.float32) * scale, file["steps"].astype(np.float32))
+
+
+def rows(traits: Hashes, kind: str) -> NDArray[np.int64]:
+    """Return the rows of the weights that count for each word, given the kind of act."""
+    return np.concatenate([traits, mixed(traits, named(kind))], axis=1).astype(np.int64) % BUCKETS
+
+
+@cache
+def ways_of(kind: str) -> Ways:
+    """Return the ways of a kind of act: which slots it has had so far is part of a state."""
+    slots = TAKES[kind]
+    groups = tuple(dict.fromkeys("where" if slot in _PLACED else slot for slot in slots))
+    states: list[_State] = [(0, (0,) * len(groups))]
+    reached: dict[_State, list[_State]] = {}
+    for state in states:
+        reached[state] = list(_next(state, slots, groups, kind))
+        states.extend(one for one in dict.fromkeys(reached[state]) if one not in states)
+    place = {state: n for n, state in enumerate(states)}
+    steps = np.zeros((len(states), len(states)), dtype=bool)
+    for state, following in reached.items():
+        steps[place[state], [place[one] for one in following]] = True
+    least = {"merge": 2, "unordered": 2}.get(kind, 1)
+    needed = [
+        0
+        if (group in _FREE | {"where"} and not (kind in _NAMED and group == "name"))
+        or (group == "amount" and kind in ("translate", "rotate"))
+        else least
+        for group in groups
+    ]
+    ends = [all(had >= need for had, need in zip(s[1], needed, strict=True)) for s in states]
+    return Ways(np.array([s[0] for s in states]), steps, steps[0], np.array(ends))
+
+
+def _next(
+    state: _State, slots: tuple[str, ...], groups: tuple[str, ...], kind: str
+) -> Iterator[_State]:
+    tag, had = state
+    yield 0, had
+    if tag:
+        yield 2 * ((tag - 1) // 2) + 2, had
+    for slot in slots:
+        at = groups.index("where" if slot in _PLACED else slot)
+        if kind in _MANY or not had[at]:
+            more = (*had[:at], min(had[at] + 1, 2), *had[at + 1 :])
+            yield TAGS.index(f"B-{slot}"), more
+
+
+def tagging(traits: Hashes, kind: str, known: Chain) -> Tagging | None:
+    """Return the likeliest slots of a kind of act in a clause; None if they cannot be told."""
+    if not TAKES.get(kind) or not len(traits):
+        return Tagging((), 1.0)
+    ways = ways_of(kind)
+    tags = np.unique(ways.tags)
+    emitted = np.zeros((len(traits), len(TAGS)), np.float32)
+    emitted[:, tags] = known.weights[rows(traits, kind)][:, :, tags].sum(axis=1)
+    emitted = emitted[:, ways.tags]
+    steps = np.where(ways.steps, known.steps[np.ix_(ways.tags, ways.tags)], _NEVER)
+    best = np.where(ways.begins, emitted[0], _NEVER)
+    total = best.copy()
+    back: list[NDArray[np.int64]] = []
+    for score in emitted[1:]:
+        routes = best[:, None] + steps
+        back.append(routes.argmax(axis=0))
+        best = routes.max(axis=0) + score
+        routes = total[:, None] + steps
+        top = routes.max(axis=0)
+        total = top + np.log(np.exp(routes - top).sum(axis=0)) + score
+    best, total = (np.where(ways.ends, one, _NEVER) for one in (best, total))
+    at = int(best.argmax())
+    if best[at] < _NEVER / 2:
+        return None
+    path = [at]
+    for came in reversed(back):
+        path.append(int(came[path[-1]]))
+    top = float(total.max())
+    likely = float(best[at]) - top - float(np.log(np.exp(total - top).sum()))
+    return Tagging(
+        spans_of_tags([TAGS[ways.tags[one]] for one in reversed(path)]), float(np.exp(likely))
+    )
+
+
+def spans_of_tags(tags: list[str]) -> Tagged:
+    """Return the stretches that tags mark."""
+    found: list[tuple[str, int, int]] = []
+    for at, tag in enumerate(tags):
+        if tag.startswith("B-"):
+            found.append((tag[2:], at, at + 1))
+        elif tag.startswith("I-") and found:
+            slot, start, _ = found[-1]
+            found[-1] = (slot, start, at + 1)
+    return tuple(found)
+
+
+def tags_of_spans(spans: Tagged, size: int) -> list[int]:
+    """Return the tags that mark stretches."""
+    tags = [0] * size
+    for slot, start, end in spans:
+        for at in range(start, end):
+            tags[at] = TAGS.index(f"{'B' if at == start else 'I'}-{slot}")
+    return tags
