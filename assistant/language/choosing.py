@@ -63,8 +63,10 @@ _BESIDE_ANSWERS = (
     *(Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load),
     *(Inform, Unknown),
 )
-_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.93, 0.8, 0.75, 0.4
+_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.9, 0.8, 0.75, 0.4
 """What the grammar is sure of is doubted below."""
+_DOUBTED = 0.65
+"""Where the grammar is surer that words mean nothing here, they are no answer."""
 _FREE_ANSWERS = ("goal", "facing")
 _MOST_WHOLE = 6
 _LEAST = 1e-4
@@ -147,14 +149,16 @@ def _trusted_from(acts: tuple[TeacherAct, ...], hearing: Hearing) -> float:
     """Return from which probability the grammar is trusted: known names and counts are plain."""
     act, listening = acts[0], hearing.listening
     pages = [act_to_json(one) for one in acts]
-    told = {str(value) for page in pages for value in page.values()}
+    values = [value for page in pages for value in page.values()]
+    told = {str(one) for v in values for one in (v if isinstance(v, list) else [v])}
     told |= {str(page["where"].get("subtask")) for page in pages if page.get("where")}
     if told & set(listening.subtasks) or isinstance(act, Unknown):
         return 0.0
     if isinstance(act, Inform):
         free = isinstance(act.value, int) or listening.asked in _FREE_ANSWERS
         return _PLAINLY if free else _ANSWERING
-    return _ASKING if isinstance(act, Explain) else _TRUSTED
+    placed = isinstance(act, SetPose) and act.object in listening.objects
+    return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
 
 
 def _consenting(weighed: Parse, chances: Chances) -> bool:
@@ -176,6 +180,8 @@ def _kept_from(
 
     Nor is a yes or no told by words that stand in no list.
     """
+    if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Inform):
+        return weighed.score > _DOUBTED
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Affirm | Deny | Approve):
         book = hearing.book
         return any(w.text not in book.vocabulary and w.text not in book.real for w in words)
