@@ -187,8 +187,10 @@ def _kept_from(
         return any(w.text not in book.vocabulary and w.text not in book.real for w in words)
     if not isinstance(weighed.acts[0], Inform):
         return False
-    aside = isinstance(acts[0], _BESIDE_ANSWERS)
-    return not aside if weighed.score >= LIKELY else isinstance(acts[0], _NO_ANSWERS)
+    if hearing.listening.asked in _FREE_ANSWERS or weighed.score >= LIKELY:
+        beside = Inform if hearing.listening.asked == "facing" else _BESIDE_ANSWERS
+        return not all(isinstance(act, beside) for act in acts)
+    return any(isinstance(act, _NO_ANSWERS) for act in acts)
 
 
 def plain(weighed: Parse, chances: Chances) -> bool:
