@@ -23,7 +23,9 @@ def six_order(share: ArrayLike) -> Array:
     Source: design, "Blending"; adapted from the paper's [28].
     """
     s = np.clip(np.asarray(share, dtype=float), 0.0, 1.0)
-    return np.asarray(s**3 * (20.0 + s * (-45.0 + s * (36.0 - 10.0 * s))))
+    # Rounding would let the sum pass 1 by a digit near the end.
+    weight = s**3 * (20.0 + s * (-45.0 + s * (36.0 - 10.0 * s)))
+    return np.asarray(np.minimum(weight, 1.0))
 
 
 def least_jerk(share: ArrayLike) -> Array:
