@@ -23,6 +23,8 @@ from assistant.model.setup import Place
 from assistant.model.task import Action
 
 SLOW_REPLAY = 0.5
+_DOUBTED = "doubtfully_shown"
+"""Why learning asks whether a step was shown though it took a part for it."""
 
 
 def learned(dialogue: Dialogue, event: Learned) -> Turn:
@@ -107,6 +109,8 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct, words: st
             return _reviewed(dialogue)
         case acts.Again():
             return replay(dialogue)
+        case acts.Deny() if head is not None and head.reason == _DOUBTED:
+            return _show_again(dialogue, head.about)
         case acts.Deny() if head is None or head.asked == "confirm_segmentation":
             return say(dialogue, line("told", "change_segmentation"))
         case acts.Affirm() | acts.Approve() if head is not None:

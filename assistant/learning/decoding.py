@@ -14,6 +14,9 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.model.motion import Indices
 
+_FREE, _LED, _UNLED = range(3)
+"""How a stretch is spent: on no primitive, on the next one, on one after those left empty."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lattice:
@@ -29,12 +32,16 @@ class Lattice:
         For a stretch spent on no primitive.
     skips : array, shape (m,)
         For leaving a primitive empty.
+    unled : array, shape (n, n, m)
+        For a stretch spent on the m-th primitive where the one before it was left empty right
+        there: what leads to it cannot be missing where it leads there itself.
     """
 
     cuts: Array
     steps: Array
     unnamed: Array
     skips: Array
+    unled: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -74,7 +81,7 @@ def decode(lattice: Lattice) -> Reading:
     cut = log_sum(ahead + behind, 1) - total
     step = np.full((len(lattice.cuts), lattice.steps.shape[2]), -np.inf)
     for k in range(1, len(lattice.cuts)):
-        into = ahead_skipped[:k, :-1] + lattice.steps[:k, k, :]
+        into = named_into(lattice, ahead, ahead_skipped, k)
         step[k] = log_sum(into, 0) + lattice.cuts[k] + behind[k, 1:] - total
     return Reading(
         score,
@@ -104,24 +111,24 @@ def _best(lattice: Lattice) -> tuple[float, tuple[int, ...], tuple[int | None, .
     best[0, 0] = 0.0
     after[0], origin[0] = _skipped(best[0], lattice.skips)
     for k in range(1, n):
-        named = after[:k, :-1] + lattice.steps[:k, k, :]
-        free = after[:k, :] + lattice.unnamed[:k, k, None]
-        from_named, from_free = np.argmax(named, axis=0), np.argmax(free, axis=0)
-        value = free[from_free, np.arange(m + 1)]
-        source[k, :, 0], source[k, :, 1] = from_free, 0
-        better = named[from_named, np.arange(m)] > value[1:]
-        value[1:] = np.where(better, named[from_named, np.arange(m)], value[1:])
-        source[k, 1:, 0] = np.where(better, from_named, source[k, 1:, 0])
-        source[k, 1:, 1] = better
-        best[k] = value + lattice.cuts[k]
+        led = best[:k, :-1] + lattice.steps[:k, k, :]
+        unled = _leapt(lattice, after, k) + lattice.steps[:k, k, :]
+        free = best[:k, :] + lattice.unnamed[:k, k, None]
+        best[k] = np.max(free, axis=0)
+        source[k, :, 0], source[k, :, 1] = np.argmax(free, axis=0), _FREE
+        for told, how in ((led, _LED), (unled, _UNLED)):
+            value, better = np.max(told, axis=0), np.max(told, axis=0) > best[k, 1:]
+            best[k, 1:] = np.where(better, value, best[k, 1:])
+            source[k, 1:, 0] = np.where(better, np.argmax(told, axis=0), source[k, 1:, 0])
+            source[k, 1:, 1] = np.where(better, how, source[k, 1:, 1])
+        best[k] += lattice.cuts[k]
         after[k], origin[k] = _skipped(best[k], lattice.skips)
     nodes, taken = [n - 1], []
     k, j = n - 1, int(origin[n - 1, m])
     while k > 0:
-        previous, named_step = int(source[k, j, 0]), bool(source[k, j, 1])
-        taken.append(j - 1 if named_step else None)
-        j = int(origin[previous, j - 1 if named_step else j])
-        k = previous
+        k, how = int(source[k, j, 0]), int(source[k, j, 1])
+        taken.append(None if how == _FREE else j - 1)
+        j = j if how == _FREE else j - 1 if how == _LED else int(origin[k, j - 2])
         nodes.append(k)
     return float(after[-1, m]), tuple(reversed(nodes)), tuple(reversed(taken))
 
@@ -148,11 +155,32 @@ def forward(lattice: Lattice) -> tuple[Array, Array]:
     skipped[0] = _sum_skips(ahead[0], lattice.skips)
     for k in range(1, n):
         both = np.full((2 * k, m + 1), -np.inf)
-        both[:k, 1:] = skipped[:k, :-1] + lattice.steps[:k, k, :]
+        both[:k, 1:] = named_into(lattice, ahead, skipped, k)
         both[k:] = ahead[:k] + lattice.unnamed[:k, k, None]
         ahead[k] = log_sum(both, 0) + lattice.cuts[k]
         skipped[k] = _sum_skips(ahead[k], lattice.skips)
     return ahead, skipped
+
+
+def named_into(lattice: Lattice, ahead: Array, skipped: Array, k: int) -> Array:
+    """Return what leads through each named stretch to the k-th instant, shape (k, m).
+
+    Parameters
+    ----------
+    lattice : Lattice
+    ahead, skipped : array, shape (n, m + 1)
+        Of `forward`, as far as the instants before.
+    k : int
+    """
+    either = np.logaddexp(ahead[:k, :-1], _leapt(lattice, skipped, k))
+    return np.asarray(either + lattice.steps[:k, k, :])
+
+
+def _leapt(lattice: Lattice, skipped: Array, k: int) -> Array:
+    """Return what leads to each primitive with the one before it left empty, shape (k, m)."""
+    leapt = np.full((k, len(lattice.skips)), -np.inf)
+    leapt[:, 1:] = skipped[:k, :-2] + lattice.skips[:-1] + lattice.unled[:k, k, 1:]
+    return leapt
 
 
 def _sum_skips(row: Array, skips: Array) -> Array:
@@ -171,8 +199,11 @@ def backward(lattice: Lattice) -> Array:
     behind[-1] = _sum_skips(end[::-1], lattice.skips[::-1])[::-1]
     for k in range(n - 2, -1, -1):
         onward = behind[k + 1 :] + lattice.cuts[k + 1 :, None]
-        named = np.full(m + 1, -np.inf)
-        named[:-1] = log_sum(onward[:, 1:] + lattice.steps[k, k + 1 :, :], 0)
+        led, unled = np.full(m + 1, -np.inf), np.full(m + 1, -np.inf)
+        named = onward[:, 1:] + lattice.steps[k, k + 1 :, :]
+        led[:-1], unled[:-1] = log_sum(named, 0), log_sum(named + lattice.unled[k, k + 1 :, :], 0)
         free = log_sum(onward + lattice.unnamed[k, k + 1 :, None], 0)
-        behind[k] = np.logaddexp(_sum_skips(named[::-1], lattice.skips[::-1])[::-1], free)
+        behind[k] = np.logaddexp(led, free)
+        leapt = lattice.skips + _sum_skips(unled[::-1], lattice.skips[::-1])[::-1][1:]
+        behind[k, :-1] = np.logaddexp(behind[k, :-1], leapt)
     return behind

@@ -58,6 +58,7 @@ def whole_evidence(
             spent = lattice.unnamed[between]
         else:
             spent = lattice.steps[:, :, position][between] + np.sum(lattice.skips[done:position])
+            spent = spent + lattice.unled[:, :, position][between] * (done < position)
             done = position + 1
         later = at_s[after][None, :] > at_s[before][:, None]
         spent = np.where(later, spent, -np.inf)

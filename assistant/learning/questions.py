@@ -24,6 +24,9 @@ LEFT_OUT = 0.2
 What was introduced is seldom left out; but who forgets a step has to be told.
 """
 
+DOUBTED = "doubtfully_shown"
+"""Why a step is asked about that a part is assigned to: it may never have been shown."""
+
 
 def questions(
     task: Task,
@@ -51,13 +54,16 @@ def questions(
     leaves = primitives(task.tree)
     seen = {episode.primitive for episode in episodes}
     doubted = _doubted(leaves, left_out)
-    # What may be another step, or none, is not counted as shown.
-    shown = len(episodes) - len(doubted & seen)
-    counts: dict[str, object] = {"introduced": len(leaves), "shown": shown}
+    counts: dict[str, object] = {"introduced": len(leaves), "shown": len(episodes)}
     found = [
         _ask("missing_step", leaf.name, "never_shown", counts)
         for leaf in leaves
-        if leaf.name not in seen - doubted and not leaf.optional
+        if leaf.name not in seen and not leaf.optional
+    ]
+    found += [
+        _ask("confirm_segmentation", e.primitive, DOUBTED, {"from_s": e.from_s, "to_s": e.to_s})
+        for e in episodes
+        if e.primitive in doubted
     ]
     found += [
         _ask(

@@ -15,6 +15,7 @@ from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import Lag, support
 from assistant.learning.decoding import Lattice
 from assistant.learning.fit import fits
+from assistant.learning.leading import unled
 from assistant.learning.stretches import stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import DecodingSettings, SegmentationSettings
@@ -87,7 +88,14 @@ def heard_lattice(
 def reordered(lattice: Lattice, order: Sequence[int]) -> Lattice:
     """Return a lattice with its leaves in another order."""
     leaves = list(order)
-    return replace(lattice, steps=lattice.steps[:, :, leaves], skips=lattice.skips[leaves])
+    # What led to a step does so only where it comes right before it.
+    follows = np.diff(leaves, prepend=leaves[0]) == 1
+    return replace(
+        lattice,
+        steps=lattice.steps[:, :, leaves],
+        skips=lattice.skips[leaves],
+        unled=np.where(follows, lattice.unled[:, :, leaves], 0.0),
+    )
 
 
 def local_scores(candidates: Sequence[Candidate], usual_s: float, given: DecodingSettings) -> Array:
@@ -136,4 +144,5 @@ def _stretches(
         steps=fits(task, demonstration, evidence, between, settings),
         unnamed=-rare * given.insert + brief,
         skips=-rare * np.array(skips),
+        unled=unled(primitives(task.tree), between, settings),
     )

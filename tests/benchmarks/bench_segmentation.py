@@ -26,6 +26,7 @@ from assistant.model.settings import SegmentationSettings, paper
 from assistant.model.task import Action, Primitive, Subtask, Task, primitives
 from tests.benchmarks import segmentation_peers as peers
 from tests.benchmarks.segmentation_lessons import (
+    UNSEEN,
     episodes_right,
     orders_recognized,
     other_length,
@@ -164,7 +165,7 @@ def asked_about(shown: Shown, found: Segmentation) -> tuple[bool, bool]:
     asked = about = False
     for question in found.questions:
         at_s = float(str(question.facts.get("at_s", "nan")))
-        if question.reason in ("never_shown", "never_introduced", "unsure_cut"):
+        if question.reason in (*UNSEEN, "never_introduced", "unsure_cut"):
             asked = True
             about |= question.reason != "unsure_cut" or any(abs(at_s - c) < 1e-6 for c in wrong)
     return asked, about

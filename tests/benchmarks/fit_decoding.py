@@ -20,7 +20,7 @@ from scipy.optimize import minimize
 
 from assistant.errors import WorkFailed
 from assistant.geometry import Array
-from assistant.learning.decoding import Lattice, backward, forward, log_sum
+from assistant.learning.decoding import Lattice, backward, forward, log_sum, named_into
 from assistant.learning.reading import Understood, read
 from assistant.learning.scoring import heard_lattice, motion_lattice, reordered
 from assistant.learning.segmentation import gathered
@@ -175,6 +175,7 @@ def weighed(lesson: Lesson, weights: Array) -> Lattice:
         lesson.rest.steps + lesson.steps @ of_steps,
         lesson.rest.unnamed - weights[-1],
         lesson.rest.skips - weights[-2] * lesson.plain,
+        lesson.rest.unled,
     )
 
 
@@ -184,7 +185,9 @@ def every_reading(lesson: Lesson, lattice: Lattice) -> Weighed:
     behind, total = backward(lattice), float(skipped[-1, -1])
     onward = behind + lattice.cuts[:, None] - total
     later = np.triu(np.zeros(lattice.unnamed.shape), 1) + np.tril(np.full(len(ahead), -np.inf))
-    named = np.exp(skipped[:, None, :-1] + lattice.steps + onward[:, 1:] + later[:, :, None])
+    named = np.zeros(lattice.steps.shape)
+    for k in range(1, len(ahead)):
+        named[:k, k] = np.exp(named_into(lattice, ahead, skipped, k) + onward[k, 1:])
     free = ahead[:, None] + lattice.unnamed[:, :, None] + onward + later[:, :, None]
     cut = np.exp(log_sum(ahead + behind, 1) - total)
     slope = np.concatenate(
@@ -205,6 +208,8 @@ def true_readings(lesson: Lesson, lattice: Lattice) -> Weighed:
     spent = []
     for before, after, position in zip(nodes[:-1], nodes[1:], lesson.taken, strict=True):
         score = lattice.unnamed if position is None else lattice.steps[:, :, position]
+        if position is not None and position > 0 and position - 1 not in lesson.taken:
+            score = score + lattice.unled[:, :, position]
         later = after[None, :] > before[:, None]
         spent.append(np.where(later, score[np.ix_(before, after)], -np.inf))
     ahead, behind = [np.zeros(1)], [np.zeros(1)]

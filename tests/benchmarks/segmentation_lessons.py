@@ -7,11 +7,15 @@ from dataclasses import replace
 import numpy as np
 
 from assistant.errors import WorkFailed
+from assistant.learning.questions import DOUBTED
 from assistant.learning.segmentation import segment
 from assistant.model.lesson import Segmentation
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Action, Primitive, Subtask, primitives
 from tests.generators.shown import Shown, spoken_cues
+
+UNSEEN = ("never_shown", DOUBTED)
+"""Why a step is asked about that may never have been shown."""
 
 
 def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmentation:
@@ -92,8 +96,7 @@ def steps_named(shows: list[Shown]) -> str:
                     break
         long = other_length(shown, k, longer=True)
         unseen += any(
-            one.reason == "never_shown" and one.about == "one too many"
-            for one in ours(long).questions
+            one.reason in UNSEEN and one.about == "one too many" for one in ours(long).questions
         )
     return f"never introduced {unheard}/{left_out}, never shown {unseen}/{len(shows)}"
 

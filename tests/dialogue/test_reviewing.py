@@ -8,6 +8,7 @@ from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
 from assistant.language.speech import phrase
+from assistant.learning.questions import DOUBTED
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Question
 from assistant.model.task import primitives
@@ -109,6 +110,26 @@ def test_who_has_said_yes_to_the_unsure_cuts_is_not_asked_about_all_of_them_agai
     teacher = Lessons().learned(question)
     assert teacher.asked == "confirm_segmentation"
     assert teacher.hear(acts.Affirm()).asked == "ready"
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [
+        ("english", 'not sure you showed "grasp object": I took 1.0 to 2.0 s for it. Did you?'),
+        ("german", "ob du „grasp object“ gezeigt hast: Ich hielt die Zeit von 1,0 bis 2,0 s dafür"),
+    ],
+)
+def test_a_step_that_was_perhaps_not_shown_is_asked_about_with_the_part_taken_for_it(
+    language: str, words: str
+) -> None:
+    facts = {"from_s": 1.0, "to_s": 2.0}
+    question = Question("confirm_segmentation", "grasp object", DOUBTED, facts)
+    teacher = Lessons().learned(question)
+    assert words in phrase(teacher.lines[-1], language=language)
+    assert teacher.hear(acts.Affirm()).topics == ["confirm.segmentation"]
+    again = Lessons().learned(question).hear(acts.Deny())
+    assert again.topics[0] == "told.needs_demonstration"
+    assert again.asked == "ready"
 
 
 def test_undo_after_learning_takes_back_what_the_teacher_did_and_learns_nothing_again() -> None:

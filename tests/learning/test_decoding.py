@@ -19,6 +19,7 @@ def random_lattice(seed: int, instants: int, leaves: int) -> Lattice:
         steps=rng.normal(0.0, 2.0, (instants, instants, leaves)),
         unnamed=rng.normal(-2.0, 1.0, (instants, instants)),
         skips=rng.normal(-3.0, 1.0, leaves),
+        unled=rng.normal(-1.0, 2.0, (instants, instants, leaves)),
     )
 
 
@@ -40,6 +41,8 @@ def all_readings(lattice: Lattice) -> dict[Way, float]:
                 score += sum(lattice.skips[k] for k in range(leaves) if k not in named)
                 for a, b, leaf in zip(nodes[:-1], nodes[1:], taken, strict=True):
                     score += lattice.unnamed[a, b] if leaf is None else lattice.steps[a, b, leaf]
+                    if leaf and leaf - 1 not in named:
+                        score += lattice.unled[a, b, leaf]
                 found[nodes, tuple(taken)] = float(score)
     return found
 

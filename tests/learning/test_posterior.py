@@ -18,7 +18,11 @@ def lattice(seed: int, leaves: int = 2) -> Lattice:
     cuts = np.zeros(n)
     cuts[1:-1] = rng.normal(0.0, 1.0, n - 2)
     return Lattice(
-        cuts, rng.normal(0.0, 2.0, (n, n, leaves)), rng.normal(-2.0, 1.0, (n, n)), -np.ones(leaves)
+        cuts,
+        rng.normal(0.0, 2.0, (n, n, leaves)),
+        rng.normal(-2.0, 1.0, (n, n)),
+        -np.ones(leaves),
+        rng.normal(-1.0, 1.0, (n, n, leaves)),
     )
 
 
@@ -36,6 +40,8 @@ def readings(given: Lattice) -> list[tuple[tuple[int, ...], tuple[int | None, ..
                 score = float(np.sum(given.cuts[list(inner)]))
                 for a, b, at in zip(nodes[:-1], nodes[1:], taken, strict=True):
                     score += float(given.unnamed[a, b] if at is None else given.steps[a, b, at])
+                    if at and at - 1 not in named:
+                        score += float(given.unled[a, b, at])
                 score += float(sum(given.skips[at] for at in range(m) if at not in named))
                 found.append((nodes, taken, score))
     return found

@@ -6,7 +6,7 @@ from types import MappingProxyType
 import numpy as np
 
 from assistant.learning.candidates import Evidence, gather
-from assistant.learning.questions import UNSURE, questions
+from assistant.learning.questions import DOUBTED, UNSURE, questions
 from assistant.learning.smoothing import smooth
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import Episode, Question, SegmentationPoint
@@ -93,10 +93,17 @@ def test_the_step_likeliest_left_out_is_asked_for_even_where_a_part_may_be_it() 
     shown, evidence = given()
     parts = (FIRST, SECOND)
 
-    def named(chances: dict[str, float]) -> list[tuple[str, object]]:
+    def named(chances: dict[str, float]) -> list[tuple[str, str, object, object]]:
         found = questions(TASK, shown, evidence, (cut(0.99),), parts, 1.0, chances)
-        return [(one.about, one.facts["shown"]) for one in found if one.reason == "never_shown"]
+        return [(q.reason, q.about, q.facts["from_s"], q.facts["to_s"]) for q in found]
 
-    assert named({"go up": 0.3, "go left": 0.05}) == [("go up", 1)]
-    assert named({"go up": 0.6, "go left": 0.4}) == [("go up", 1)]
+    assert named({"go up": 0.3, "go left": 0.05}) == [(DOUBTED, "go up", 0.0, 1.0)]
+    assert named({"go up": 0.6, "go left": 0.4}) == [(DOUBTED, "go up", 0.0, 1.0)]
     assert named({"go up": 0.1, "go left": 0.05, "wave": 0.9}) == []
+
+
+def test_what_a_part_is_assigned_to_is_never_said_not_to_be_found() -> None:
+    shown, evidence = given()
+    found = questions(TASK, shown, evidence, (), (FIRST,), 1.0, {"go up": 0.5, "go left": 1.0})
+    assert [(q.reason, q.about) for q in found] == [("never_shown", "go left"), (DOUBTED, "go up")]
+    assert (found[0].facts["introduced"], found[0].facts["shown"]) == (3, 1)
