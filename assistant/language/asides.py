@@ -32,10 +32,11 @@ def mended(text: str, language: str = "english") -> str:
 
 
 def recounted(text: str, language: str = "english") -> int | None:
-    """Return the number in "no, four" or "make it five steps", where nothing else is said."""
+    """Return the number in "no, four" or "five steps, not three", where nothing else is said."""
     numbers: dict[str, int] = hints("numbers", language)
     kinds = _alternatives([*hints("leads", language), *hints("count_words", language)])
-    left = re.sub(rf"\b(?:{kinds})\b|[^\w\s]", " ", _plain(text), flags=re.IGNORECASE)
+    wrong = rf"(?:{_alternatives(hints('rather_than', language))})\s+(?:{'|'.join(numbers)}|\d+)"
+    left = re.sub(rf"\b(?:{wrong}|{kinds})\b|[^\w\s]", " ", _plain(text), flags=re.IGNORECASE)
     words = left.lower().split()
     if len(words) != 1:
         return None

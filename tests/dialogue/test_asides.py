@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue.machine import begin
-from assistant.language.asides import introduced_person, is_greeting, unknowing
+from assistant.language.asides import introduced_person, is_greeting, recounted, unknowing
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons
 
@@ -191,6 +191,39 @@ def test_another_number_of_steps_is_taken_where_a_name_is_asked() -> None:
     assert teacher.tell("no, four").topics[0] == "done.counted"
     assert len(teacher.dialogue.known.root.parts) == 4
     assert teacher.tell("none").topics[0] == "error.not_an_answer"
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "count"),
+    [
+        ("I meant five", "english", 5),
+        ("five, not three", "english", 5),
+        ("not three, five steps", "english", 5),
+        ("I think it should be 4 instead of 3", "english", 4),
+        ("not three", "english", None),
+        ("five cups, not three", "english", None),
+        ("ich meinte fünf", "german", 5),
+        ("fünf, nicht drei", "german", 5),
+        ("nicht drei", "german", None),
+    ],
+)
+def test_a_number_is_told_beside_the_wrong_one(text: str, language: str, count: int | None) -> None:
+    assert recounted(text, language) == count
+
+
+def test_a_number_meant_instead_is_no_name_of_a_step() -> None:
+    for text in ("I meant four", "four, not three"):
+        teacher = newcomer("sorting", "tidy", "block and target").tell(3)
+        teacher.hear(acts.Inform(text), text=text, sure=0.5)
+        assert teacher.topics[0] == "done.counted"
+        assert len(teacher.dialogue.known.root.parts) == 4
+
+
+def test_the_goal_may_be_changed_while_steps_are_told() -> None:
+    teacher = newcomer("sorting", "tidy", "block and target")
+    teacher.tell("change the goal to the block is on the lid")
+    assert teacher.topics[0] == "done.goal"
+    assert teacher.dialogue.known.goal == "the block is on the lid"
 
 
 def test_a_name_is_what_is_said_in_the_end() -> None:
