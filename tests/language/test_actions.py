@@ -57,3 +57,23 @@ def test_the_place_something_goes_to_is_the_one_concerned() -> None:
     assert down == Action("move", "down", "blue block")
     place = read_action("place green block on red block", STACK).action
     assert place == Action("hand", "open", "red block")
+
+
+@pytest.mark.parametrize(
+    ("text", "verb", "way", "sure"),
+    [
+        ("senk ihn zum Ziel ab", "move", "down", True),
+        ("heb ihn an", "move", "up", True),
+        ("heb den Block hoch", "move", "up", True),
+        ("heb ihn auf", "hand", "close", False),
+        ("leg ihn auf das Ziel", "hand", "open", False),
+        ("stell ihn hin", "hand", "open", False),
+        ("setz ihn auf das Ziel", "hand", "open", False),
+    ],
+)
+def test_what_is_told_to_a_friend_in_german_names_its_motion(
+    text: str, verb: Verb, way: str, sure: bool
+) -> None:
+    reading = read_action(text, (), "german")
+    assert reading.action == Action(verb, way, None)
+    assert reading.sure == sure
