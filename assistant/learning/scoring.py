@@ -16,7 +16,7 @@ from assistant.learning.cue_lag import Lag, support
 from assistant.learning.decoding import Lattice
 from assistant.learning.fit import fits
 from assistant.learning.leading import unled
-from assistant.learning.stretches import stretches
+from assistant.learning.stretches import Stretches, stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import DecodingSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
@@ -142,7 +142,14 @@ def _stretches(
     return Lattice(
         cuts=np.zeros(len(at_s)),
         steps=fits(task, demonstration, evidence, between, settings),
-        unnamed=-rare * given.insert + brief,
+        unnamed=-rare * given.insert + brief - given.nothing * _nothing(between),
         skips=-rare * np.array(skips),
         unled=unled(primitives(task.tree), between, settings),
     )
+
+
+def _nothing(between: Stretches) -> Array:
+    """Return where the hand neither goes nor turns, in [0, 1]: a step nobody told does so."""
+    share = np.linalg.norm(between.ways, axis=-1) / between.extent_m
+    turned = np.linalg.norm(between.turns, axis=-1) / 0.2
+    return np.asarray(np.exp(-share / 0.03 - turned))

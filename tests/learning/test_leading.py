@@ -85,6 +85,17 @@ def test_without_what_speaks_against_it_the_grasp_may_take_the_approach_in() -> 
     assert left_out(shown, task, none)[1] > 4.0 * left_out(shown, task)[1]
 
 
+def test_a_hand_that_lingers_after_the_last_step_does_no_step_nobody_told() -> None:
+    shown, task = driven(), lessons.task()
+    evidence = gathered(shown, task, GIVEN)
+    spots = evidence.candidates
+    at_s = np.array([0.0, *(spot.at_s for spot in spots), 6.68])
+    opened = int(np.argmin(np.abs(at_s - evidence.events[-1].at_s)))
+    unnamed = motion_lattice(shown, task, evidence, spots, GIVEN).unnamed
+    assert unnamed[opened, -1] < unnamed[0, opened] - 3.0
+    assert "never_introduced" not in {one.reason for one in segment(shown, task).questions}
+
+
 def test_where_the_hand_is_there_already_the_approach_may_never_have_been_shown() -> None:
     assert left_out(driven(reach_mm=1.0), lessons.task())[0] > 0.3
 
