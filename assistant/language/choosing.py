@@ -18,37 +18,21 @@ from assistant.language.commands import settled
 from assistant.language.cutting import cuts
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
-from assistant.language.open_answers import MOTION
+from assistant.language.open_answers import ASIDE, NOT_ANSWERS
 from assistant.language.parsing import ACTING, GUESSED, LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import LANGUAGES
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, chance, label_of
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
-    AdjustLast,
     Affirm,
-    Again,
     Approve,
-    BeBrief,
-    BeThorough,
-    Cue,
     Deny,
     Explain,
-    GoBack,
-    Help,
     Inform,
-    KeyState,
-    Load,
-    Pause,
-    Quit,
-    Redo,
-    RepeatLine,
     SetPose,
-    Show,
-    Start,
     Stop,
     TeacherAct,
-    Undo,
     Unknown,
     act_to_json,
 )
@@ -58,11 +42,7 @@ CUT_BELOW = 0.93
 """A line is cut where the whole is less likely one act."""
 PLAIN_FROM = 0.9
 """A sentence of the phrasebook is weighed where its words tell its act less likely."""
-_NO_ANSWERS = (*MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
-_BESIDE_ANSWERS = (
-    *(Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load),
-    *(Inform, Unknown),
-)
+_BESIDE_ANSWERS = (*ASIDE, Inform, Unknown)
 _TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.9, 0.8, 0.75, 0.4
 """What the grammar is sure of is doubted below."""
 _DOUBTED = 0.65
@@ -190,7 +170,7 @@ def _kept_from(
     if hearing.listening.asked in _FREE_ANSWERS or weighed.score >= LIKELY:
         beside = Inform if hearing.listening.asked == "facing" else _BESIDE_ANSWERS
         return not all(isinstance(act, beside) for act in acts)
-    return any(isinstance(act, _NO_ANSWERS) for act in acts)
+    return any(isinstance(act, NOT_ANSWERS) for act in acts)
 
 
 def plain(weighed: Parse, chances: Chances) -> bool:

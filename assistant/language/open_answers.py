@@ -63,7 +63,7 @@ from assistant.model.teacher_acts import (
 )
 
 MOTION = (AdjustSpeed, Translate, Rotate, Gripper)
-_NOT_ANSWERS = (*MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
+NOT_ANSWERS = (*MOTION, Cue, KeyState, Start, Again, Approve, SetPose, AdjustLast, Pause)
 _STRUCTURE = (
     Rename,
     Optional,
@@ -77,7 +77,7 @@ _STRUCTURE = (
     Assign,
     MoveCut,
 )
-_ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
+ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
 _TOLD = 0.93
 
 
@@ -190,14 +190,14 @@ def _answering(parse: Parse, bare: Words, asked: Asked, hearing: Hearing) -> boo
     """Tell acts whose words may as well be an answer, such as the name of a step."""
     act = parse.acts[0]
     if parse.how in ("frame", "request") and (
-        not isinstance(act, _ASIDE) or wrapped(bare, asked, hearing.book)
+        not isinstance(act, ASIDE) or wrapped(bare, asked, hearing.book)
     ):
         return True
     if isinstance(act, Unknown):
         return wrapped(bare, asked, hearing.book)
     if isinstance(act, _STRUCTURE):
         return parse.score < SURE
-    return isinstance(act, _NOT_ANSWERS)
+    return isinstance(act, NOT_ANSWERS)
 
 
 def _corrected_answer(words: Words, hearing: Hearing) -> Inform | None:

@@ -33,12 +33,26 @@ def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
 
 def without_slips(words: Words, book: Phrasebook) -> Words:
     """Return the words with slips of little words put right, in names as well."""
-    return tuple(
-        Word(_TYPOS[word.text], _TYPOS[word.text], word.broken)
-        if word.text in _TYPOS and word.text not in book.vocabulary
-        else _whole(word, book)
-        for word in words
-    )
+    found = []
+    for at, word in enumerate(words):
+        if word.text in _TYPOS and word.text not in book.vocabulary:
+            right = "step" if _is_step(words, at, book) else _TYPOS[word.text]
+            found.append(Word(right, right, word.broken))
+        else:
+            found.append(_whole(word, book))
+    return tuple(found)
+
+
+def _is_step(words: Words, at: int, book: Phrasebook) -> bool:
+    """Tell "stp" beside a count from a hurried "stop": "1st stp", "stp 2"."""
+    if words[at].text != "stp":
+        return False
+    texts = tuple(word.text for word in words)
+    before = book.numbers.ordinal(texts, at - 1) if at > 0 else None
+    if before is not None and before[1] == at:
+        return True
+    behind = book.numbers.number(texts, at + 1)
+    return behind is not None and behind[1] == len(words)
 
 
 def _whole(word: Word, book: Phrasebook) -> Word:

@@ -54,3 +54,24 @@ def test_what_was_taken_back_is_replaced(text: str, stage: Any, acts: list[dict[
 def test_no_more_takes_nothing_back() -> None:
     meant = understand("five steps, no more, no less", Listening(asked="subtask_count"))
     assert [act_to_json(act) for act in meant.acts] == [{"act": "inform", "value": 5}]
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("1st stp", {"act": "cue", "which": "first"}),
+        ("third stp", {"act": "cue", "which": 3}),
+        ("stp 2", {"act": "cue", "which": 2}),
+        ("stp", {"act": "stop"}),
+        ("stp now", {"act": "stop"}),
+    ],
+)
+def test_a_stop_in_a_hurry_is_a_step_where_it_is_counted(text: str, act: dict[str, Any]) -> None:
+    meant = understand(text, Listening(stage="demonstration"))
+    assert [act_to_json(one) for one in meant.acts] == [act]
+
+
+@pytest.mark.parametrize("text", ["1st stp", "stp 2"])
+def test_in_motion_it_stops_even_so(text: str) -> None:
+    meant = understand(text, Listening(stage="practice", moving=True))
+    assert [act_to_json(one) for one in meant.acts] == [{"act": "stop"}]
