@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 from typing import Any, cast
@@ -19,7 +19,7 @@ from assistant.language.cutting import cuts
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
-from assistant.language.parsing import ACTING, GUESSED, LIKELY, Hearing, Parse, texts_of
+from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import LANGUAGES
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, chance, label_of
@@ -118,6 +118,9 @@ def _score(
     unheard = isinstance(weighed.acts[0], Unknown) or _chatting(words, hearing)
     if unheard and not isinstance(acts[0], Unknown):
         score = min(score, GUESSED)
+    if kind_of(acts) == "motion" and _strange(acts, words, hearing):
+        # It may tell how far or how fast: "more to the left, a pochino".
+        score, weighed = min(score, DOUBTFUL), replace(weighed, score=min(weighed.score, DOUBTFUL))
     if acts != weighed.acts:
         return score
     if _consenting(weighed, chances) or right >= _trusted_from(acts, hearing):
@@ -139,6 +142,17 @@ def _trusted_from(acts: tuple[TeacherAct, ...], hearing: Hearing) -> float:
         return _PLAINLY if free else _ANSWERING
     placed = isinstance(act, SetPose) and act.object in listening.objects
     return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
+
+
+def _strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> bool:
+    """Tell a word that stands in no list, is no slip of one, and is in no name."""
+    book = hearing.book
+    spelled = respelled(words, book, hearing.listening.objects)
+    known = book.vocabulary | book.real
+    strange = {w.text for w in spelled if w.text.isalpha() and w.text not in known}
+    pages = [act_to_json(one) for one in acts]
+    named = " ".join(str(page["where"].get("subtask")) for page in pages if page.get("where"))
+    return bool(strange - set(named.lower().split()))
 
 
 def _consenting(weighed: Parse, chances: Chances) -> bool:

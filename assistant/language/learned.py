@@ -12,6 +12,8 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 from assistant.language.answers import LISTS
+from assistant.language.edges import is_cut_short
+from assistant.language.frames import frames
 from assistant.language.likelihood import likelihoods
 from assistant.language.motion import degree_of, factor_of
 from assistant.language.parsing import Hearing, texts_of
@@ -140,11 +142,16 @@ def made(
 
 
 def _name(words: Words, span: tuple[int, int], hearing: Hearing) -> str:
-    """Return the name a stretch tells; "it" behind a lone verb belongs to its name."""
+    """Return the name a stretch tells: "it" behind a lone verb belongs to it, "let go of it"."""
     start, end = span
     lone = end - start == 1 and end + 1 < len(words) and not words[end].broken
     if lone and words[end].text == "it" and words[end + 1].text in _BEHIND_NAMES:
         end += 1
+    known = frames(hearing.language)
+    if known is not None and is_cut_short(start, end, words, known):
+        end += 1
+    if texts_of(words[end : end + 2]) == ("of", "it"):
+        end += 2
     return named_text(words, (start, end), hearing).removesuffix("'s")
 
 

@@ -82,3 +82,10 @@ def test_a_language_without_weights_is_left_to_its_grammar() -> None:
     words = words_of("mach das weg", hearing.book.contractions)
     assert weights("german") is None
     assert chosen(parse, parse, words, {}, hearing) is None
+
+
+def test_a_motion_with_a_word_nobody_knows_is_asked_about() -> None:
+    # "pochino" tells how far: moving as though it were not said would be too far.
+    acts, confidence = heard("more to the left, a pochino", stage="practice")
+    assert acts[0]["direction"] == "left"
+    assert confidence < ACTING
