@@ -26,6 +26,8 @@ from assistant.model.scene import Scene
 from assistant.model.settings import GeneralizationSettings, SegmentationSettings, SignalSettings
 from assistant.model.task import Task, primitives
 
+_LEAD_S = 0.06
+
 
 @dataclass(frozen=True, slots=True)
 class Context:
@@ -162,11 +164,15 @@ def _while_acting(
     t_s: Array,
     dwell_s: float,
 ) -> None:
-    """Let the primitive that grasps or releases last until the gripper has acted."""
+    """Let the primitive that grasps or releases begin before the gripper acts, and outlast it.
+
+    What has to hold before it is looked at when it begins: a hand that opens holds no longer.
+    """
     for station in stations:
         if station.kind != "touch" and station.primitive in names:
-            acting = np.abs(t_s - t_s[station.at]) <= dwell_s / 2.0 + 1e-9
-            position[acting] = names.index(station.primitive)
+            after_s = t_s - t_s[station.at]
+            begun = after_s >= -dwell_s / 2.0 - _LEAD_S - 1e-9
+            position[begun & (after_s <= dwell_s / 2.0 + 1e-9)] = names.index(station.primitive)
 
 
 def _with_questions(

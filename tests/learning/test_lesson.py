@@ -15,6 +15,7 @@ from assistant.learning.timing import rms_jerk
 from assistant.model.conditions import Condition
 from assistant.model.demonstration import Recording
 from assistant.model.feedback import Feedback
+from assistant.model.lesson import LearnedPath
 from assistant.model.scene import Body, Scene
 from tests.learning.lessons import CUTS_S, NAMES, demonstration, learned, lesson, task
 
@@ -49,6 +50,29 @@ def test_docking_completes_the_primitives_before() -> None:
     for station, cut in zip(made.stations, (CUTS_S[0], CUTS_S[3]), strict=True):
         assert made.path.t_s[station.docking_at] == pytest.approx(cut, abs=0.05)
         assert made.path.primitive_at[station.at] == NAMES.index(station.primitive)
+
+
+@pytest.mark.parametrize("late_s", [-0.3, -0.05, 0.0, 0.05, 0.3])
+def test_what_grasps_or_releases_begins_before_the_hand_acts(late_s: float) -> None:
+    """Cuts at the very instant of the hand are usual: what must hold before is looked at then."""
+    acts_s = [learned_path().t_s[station.at] for station in lesson().stations]
+    cuts_s = (acts_s[0] + late_s, *CUTS_S[1:3], acts_s[1] + late_s)
+    made = learn([demonstration()], task(), cuts_s=cuts_s)
+    assert made.path is not None
+    assert made.path.gripper_m is not None
+    acting = np.flatnonzero(np.diff(made.path.gripper_m))
+    for station in made.stations:
+        own = np.flatnonzero(made.path.primitive_at == NAMES.index(station.primitive))
+        first = acting[np.argmin(np.abs(acting - station.at))]
+        while first - 1 in acting:
+            first -= 1
+        assert made.path.t_s[own[0]] <= made.path.t_s[first] - 0.04
+
+
+def learned_path() -> LearnedPath:
+    path = lesson().path
+    assert path is not None
+    return path
 
 
 def test_a_tilted_targets_own_normal_counts() -> None:
