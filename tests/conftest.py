@@ -1,4 +1,4 @@
-"""What needs an extra that is not installed is left out, and the first lines say so."""
+"""What needs an extra that is not installed is left out, and the last lines say so."""
 
 from __future__ import annotations
 
@@ -16,10 +16,15 @@ def missing_for_voice() -> list[str]:
     return missing if shutil.which(MOUTH) else [*missing, MOUTH]
 
 
-def pytest_report_header() -> str:
+def told_of_voice() -> str:
     missing = missing_for_voice()
     told = f"left out, not installed: {', '.join(missing)}" if missing else "run"
     return f"tests of the voice extra: {told}"
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    # Also where several processes run the tests, and where few lines are wanted.
+    terminalreporter.write_line(told_of_voice())
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -54,7 +54,9 @@ def practicing(home: Path) -> tuple[JsonShell, Session, list[str]]:
     return shell, session, told
 
 
-def test_a_stop_word_is_seen_while_time_passes(tmp_path: Path) -> None:
+def test_a_stop_word_is_seen_while_time_passes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     shell, session, told = practicing(tmp_path)
     ticks, tick = 0, session.tick
     stop = threading.Event()
@@ -73,7 +75,7 @@ def test_a_stop_word_is_seen_while_time_passes(tmp_path: Path) -> None:
         assert stop.wait(20.0)
         yield "don't stop"
 
-    session.tick = ticked  # type: ignore[method-assign]
+    monkeypatch.setattr(session, "tick", ticked)
     shell.run(session, lines())
     session.close()
     assert ticks < 50 + 15

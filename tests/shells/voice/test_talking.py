@@ -15,6 +15,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.robot_acts import RobotAct
 from assistant.model.transcript import Transcript
+from assistant.session.loop import Session
 from assistant.session.opening import Opening, open_session
 from assistant.shells.beside import Words
 from assistant.shells.plain import PlainShell
@@ -64,8 +65,8 @@ def hold(folder: Path, beside: Talking, told: list[str], *lines: str) -> None:
 def test_a_sound_file_is_heard_to_its_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     says = Says("pick and place", "yes", "the block rests on the target")
 
-    def ears(self: Talking, session: object, take: object) -> Ears:
-        return Ears(session, take, Endpointer(loudness), says)  # type: ignore[arg-type]
+    def ears(self: Talking, session: Session, take: Callable[[Words], None]) -> Ears:
+        return Ears(session, take, Endpointer(loudness), says)
 
     monkeypatch.setattr(talking.Talking, "_ears", ears)
     told: list[str] = []
@@ -91,12 +92,12 @@ def test_a_microphone_unplugged_mid_word_is_told_and_heard_again_once_plugged_in
         while not heard.is_set():
             yield np.zeros(512, np.float32)
 
-    def ears(self: Talking, session: object, take: Callable[[Words], None]) -> Ears:
+    def ears(self: Talking, session: Session, take: Callable[[Words], None]) -> Ears:
         def taken(words: Words) -> None:
             take(words)
             heard.set()
 
-        return Ears(session, taken, Endpointer(loudness), Says("pick and place"))  # type: ignore[arg-type]
+        return Ears(session, taken, Endpointer(loudness), Says("pick and place"))
 
     heard = threading.Event()
     monkeypatch.setattr(talking.Talking, "_frames", frames)
