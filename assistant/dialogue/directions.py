@@ -12,11 +12,10 @@ import numpy as np
 from assistant.dialogue.state import Facing, Knowledge
 from assistant.geometry import Array, rotate_vector
 from assistant.geometry.quaternions import quat_inverse
+from assistant.model.directions import WAYS, Triple
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import Station
 from assistant.model.task import primitives
-
-Triple = tuple[float, float, float]
 
 CLOSING: Triple = (0.0, 1.0, 0.0)
 UPRIGHT: Triple = (0.0, 0.0, 1.0)
@@ -24,14 +23,6 @@ UPRIGHT: Triple = (0.0, 0.0, 1.0)
 NOTICED = 0.2
 """A smaller share of a correction is not worth a word."""
 
-_MOVES: dict[str, Triple] = {
-    "left": (0.0, 1.0, 0.0),
-    "right": (0.0, -1.0, 0.0),
-    "up": (0.0, 0.0, 1.0),
-    "down": (0.0, 0.0, -1.0),
-    "forward": (1.0, 0.0, 0.0),
-    "backward": (-1.0, 0.0, 0.0),
-}
 _WORLD_TURNS: dict[str, Triple] = {
     "left": (0.0, 0.0, 1.0),
     "right": (0.0, 0.0, -1.0),
@@ -55,7 +46,7 @@ def depends_on_facing(kind: str, direction: str) -> bool:
 
 def move_in_world(direction: str, facing: Facing | None) -> Array:
     """Return the unit vector, shape (3,), of a direction in the world frame."""
-    unit = np.array(_MOVES[direction])
+    unit = np.array(WAYS[direction])
     return -unit if facing == "facing" and direction in _MIRRORED else unit
 
 
@@ -80,7 +71,7 @@ def direction_of(known: Knowledge, feedback: Feedback) -> str:
     told = feedback.offset_m if feedback.kind == "translate" else feedback.turn_rad
     vector = rotate_vector(quat, np.array(told))
     if feedback.kind == "translate":
-        units = {word: move_in_world(word, known.facing) for word in _MOVES}
+        units = {word: move_in_world(word, known.facing) for word in WAYS}
     else:
         turns = (*_WORLD_TURNS, *_HAND_TURNS)
         units = {word: turn_in_world(word, known.facing, quat) for word in turns}

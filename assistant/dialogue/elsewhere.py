@@ -16,17 +16,10 @@ from assistant.dialogue.turn import Turn, line
 from assistant.language.actions import mentioned_objects
 from assistant.language.hints import hints
 from assistant.model import teacher_acts as acts
+from assistant.model.directions import WAYS
 from assistant.model.settings import SafetySettings
 
 SAFETY = SafetySettings()
-_WAYS = {
-    "left": (0.0, 1.0, 0.0),
-    "right": (0.0, -1.0, 0.0),
-    "forward": (1.0, 0.0, 0.0),
-    "backward": (-1.0, 0.0, 0.0),
-    "up": (0.0, 0.0, 1.0),
-    "down": (0.0, 0.0, -1.0),
-}
 
 
 def stands_elsewhere(dialogue: Dialogue, act: acts.TeacherAct, words: str) -> Turn | None:
@@ -40,7 +33,7 @@ def stands_elsewhere(dialogue: Dialogue, act: acts.TeacherAct, words: str) -> Tu
     roles = {one.name: one.role for one in things}
     if len(named) != 1 or named[0] not in dialogue.known.setup.places:
         return None
-    x, y, z = (1000.0 * act.distance_m * share for share in _WAYS[act.direction])
+    x, y, z = (1000.0 * act.distance_m * share for share in WAYS[act.direction])
     there = acts.SetPose(named[0], by_mm=(x, y, z))
     if roles[named[0]] == "target":
         return set_pose(dialogue, there, words, sure=True)

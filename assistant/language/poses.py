@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,22 +10,18 @@ from assistant.language.naming import without_article
 from assistant.language.numbers import Quantity
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.tags import tags_of
+from assistant.model.directions import WAYS, Triple
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import SetPose
 
 _AXES = {"x": 0, "y": 1, "z": 2}
 _ANGLES = {"roll": 0, "pitch": 1, "yaw": 2}
-_STEPS = {
-    "left": (0.0, 1.0, 0.0),
-    "right": (0.0, -1.0, 0.0),
-    "forward": (1.0, 0.0, 0.0),
-    "backward": (-1.0, 0.0, 0.0),
-    "up": (0.0, 0.0, 1.0),
-    "down": (0.0, 0.0, -1.0),
-    "up-er": (0.0, 0.0, 1.0),
-    "down-er": (0.0, 0.0, -1.0),
-    "high": (0.0, 0.0, 1.0),
-    "low": (0.0, 0.0, -1.0),
+_STEPS: Mapping[str, Triple] = {
+    **WAYS,
+    "up-er": WAYS["up"],
+    "down-er": WAYS["down"],
+    "high": WAYS["up"],
+    "low": WAYS["down"],
 }
 
 

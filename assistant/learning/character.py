@@ -11,16 +11,7 @@ from assistant.geometry import (
     quat_to_rotvec,
 )
 from assistant.learning.smoothing import Smoothed
-
-AXES = {
-    "left": (0.0, 1.0, 0.0),
-    "right": (0.0, -1.0, 0.0),
-    "forward": (1.0, 0.0, 0.0),
-    "backward": (-1.0, 0.0, 0.0),
-    "up": (0.0, 0.0, 1.0),
-    "down": (0.0, 0.0, -1.0),
-}
-"""Directions of the base frame: x forward, y left, z up (design, conventions)."""
+from assistant.model.directions import WAYS
 
 _TURNS = ("left", "right", "up", "down")
 _CLEAR = 0.6
@@ -36,7 +27,7 @@ def character(smoothed: Smoothed, from_s: float, to_s: float) -> str:
         return "rest"
     if far >= _RAD_AS_M * turned:
         name, share = max(
-            ((name, float(way @ np.array(axis)) / far) for name, axis in AXES.items()),
+            ((name, float(way @ np.array(axis)) / far) for name, axis in WAYS.items()),
             key=lambda told: told[1],
         )
         return name if share > _CLEAR else ""

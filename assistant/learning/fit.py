@@ -12,9 +12,9 @@ import numpy as np
 
 from assistant.geometry import Array, rotate_vector
 from assistant.learning.candidates import Evidence
-from assistant.learning.character import AXES
 from assistant.learning.stretches import Stretches
 from assistant.model.demonstration import Demonstration
+from assistant.model.directions import WAYS
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Primitive, Task, TaskObject, primitives
 
@@ -122,7 +122,7 @@ def _character(
         # Who only turns goes nowhere.
         wide = 0.5 * given.wide * np.maximum(share - 0.3, 0.0)
         return np.asarray(given.turning * _turning(leaf.action.way, between) - wide)
-    axis = AXES.get(leaf.action.way)
+    axis = WAYS.get(leaf.action.way)
     # One step goes one way: what wanders or comes back is two.
     still -= given.straight * between.longer
     if leaf.action.verb == "free" or axis is None:

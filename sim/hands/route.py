@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from assistant.geometry import Array, compose, quat_from_rotvec
+from assistant.model.directions import WAYS
 from assistant.model.placing import place_on, told_bodies
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
@@ -30,14 +31,6 @@ STEP_M = 0.08
 POUR_RAD = np.deg2rad(125.0)
 TURN_RAD = np.deg2rad(20.0)
 
-WORLD_STEPS = {
-    "up": (0.0, 0.0, LIFT_M),
-    "down": (0.0, 0.0, -STEP_M),
-    "left": (0.0, STEP_M, 0.0),
-    "right": (0.0, -STEP_M, 0.0),
-    "forward": (STEP_M, 0.0, 0.0),
-    "backward": (-STEP_M, 0.0, 0.0),
-}
 TURN_AXES = {
     "left": (0.0, 0.0, 1.0),
     "right": (0.0, 0.0, -1.0),
@@ -132,8 +125,10 @@ def _carry_out(way: _Way, primitive: Primitive) -> None:
             _approach(way, known)
         case ("move", "depart"):
             way.go(compose(way.hand, _shift(-way.retreat_m, 0.0, 0.0)), "reach")
-        case ("move", direction) if direction in WORLD_STEPS:
-            way.go(_moved(way.hand, WORLD_STEPS[direction]), "reach")
+        case ("move", direction) if direction in WAYS:
+            far_m = LIFT_M if direction == "up" else STEP_M
+            x, y, z = WAYS[direction]
+            way.go(_moved(way.hand, (far_m * x, far_m * y, far_m * z)), "reach")
         case ("turn", direction) if direction in TURN_AXES:
             turn = quat_from_rotvec(TURN_RAD * np.array(TURN_AXES[direction]))
             way.go(compose(way.hand, np.concatenate([np.zeros(3), turn])), "reach")

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from assistant.geometry import quat_from_rpy
-from assistant.learning.character import AXES, change, character
+from assistant.learning.character import change, character
 from assistant.learning.smoothing import Smoothed, smooth
 from assistant.model.demonstration import Recording
+from assistant.model.directions import WAYS
 
 
 def moved(way: tuple[float, float, float], rpy: tuple[float, float, float]) -> Smoothed:
@@ -20,9 +21,9 @@ def moved(way: tuple[float, float, float], rpy: tuple[float, float, float]) -> S
     return smooth(Recording(t_s, path))
 
 
-@pytest.mark.parametrize("name", sorted(AXES))
+@pytest.mark.parametrize("name", sorted(WAYS))
 def test_directions_are_those_of_the_robot(name: str) -> None:
-    x, y, z = (0.1 * part for part in AXES[name])
+    x, y, z = (0.1 * part for part in WAYS[name])
     assert character(moved((x, y, z), (0.0, 0.0, 0.0)), 0.0, 2.0) == name
 
 
