@@ -148,8 +148,11 @@ def _strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> bo
     """Tell a word that stands in no list, is no slip of one, and is in no name."""
     book = hearing.book
     spelled = respelled(words, book, hearing.listening.objects)
-    known = book.vocabulary | book.real
-    strange = {w.text for w in spelled if w.text.isalpha() and w.text not in known}
+    strange = {
+        w.text
+        for w in spelled
+        if w.text.isalpha() and w.text not in book.vocabulary and w.text not in book.real
+    }
     pages = [act_to_json(one) for one in acts]
     named = " ".join(str(page["where"].get("subtask")) for page in pages if page.get("where"))
     return bool(strange - set(named.lower().split()))

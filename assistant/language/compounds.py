@@ -163,11 +163,12 @@ def once_more(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     for phrase in hearing.book.again:
         size = len(phrase)
-        if texts[:size] == phrase and len(texts) > size:
+        begins, ends = texts[:1] == phrase[:1], texts[-1:] == phrase[-1:]
+        if begins and texts[:size] == phrase and len(texts) > size:
             rest = words[size:]
             while len(rest) > 1 and rest[0].text in (*_JOINTS, "with", "now"):
                 rest = rest[1:]
-        elif texts[-size:] == phrase and len(texts) > size + 1:
+        elif ends and texts[-size:] == phrase and len(texts) > size + 1:
             rest = words[:-size]
             joined = rest[-1].text in _JOINTS
             if not (joined or words[-size].broken):

@@ -51,7 +51,7 @@ def _uncalled(words: Words, book: Phrasebook) -> Words:
 def _once_each(words: Words, book: Phrasebook) -> Words:
     """Take out little words that a hesitant speaker says again: "when it, it is, it is done"."""
     at = 0
-    while at < len(words):
+    while at < len(words) > len({word.text for word in words}):
         for size in (3, 2, 1):
             part, again = words[at : at + size], words[at + size : at + 2 * size]
             little = all(word.text in book.stuttered for word in part)

@@ -136,6 +136,7 @@ def _frame(line: str) -> Frame:
     )
 
 
+@lru_cache(maxsize=512)
 def spans_of(texts: Phrase, known: Frames, numbers: NumberWords) -> Spans:
     """Return where each class occurs, its longest phrases first, and numbers and times."""
     return {**_classes(texts, known), **_counted(texts, numbers)}

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any
 from zlib import crc32
@@ -69,10 +70,15 @@ def likelihoods(
     if known is None:
         return {}
     told = features(said, respelled, listening, language)
-    rows = known.weights[[crc32(one.encode()) % BUCKETS for one in told]]
-    scores = (rows * scales(told)[:, None]).sum(axis=0)
+    scores = scales(told) @ np.take(known.weights, [row_of(one) for one in told], axis=0)
     odds = np.exp(scores - scores.max())
     return dict(zip(known.labels, (odds / odds.sum()).tolist(), strict=True))
+
+
+@lru_cache(maxsize=1 << 15)
+def row_of(feature: str) -> int:
+    """Return the row of the weights that a feature counts by."""
+    return crc32(feature.encode()) % BUCKETS
 
 
 def features(said: Phrase, respelled: Phrase, listening: Listening, language: str) -> list[str]:
@@ -107,7 +113,8 @@ def _alike(words: Phrase, language: str) -> list[str]:
 def scales(told: Sequence[str]) -> NDArray[np.float32]:
     """Return what each feature counts: a long sentence is no surer than a short one."""
     groups = [_GROUPS.get(one[:1], "words") for one in told]
-    scale = {name: most / math.sqrt(max(1, groups.count(name))) for name, most in _MOST.items()}
+    counts = Counter(groups)
+    scale = {name: most / math.sqrt(max(1, counts[name])) for name, most in _MOST.items()}
     scale["context"] = 1.0
     return np.array([scale[name] for name in groups], dtype=np.float32)
 

@@ -25,7 +25,7 @@ class Quantity:
     unit: float = 0.0
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class NumberWords:
     """The words a language counts with."""
 

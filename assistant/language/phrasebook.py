@@ -89,9 +89,12 @@ class Phrasebook:
         told = frozenset(texts)
         places = {*self.needing[""], *(at for word in told for at in self.needing.get(word, ()))}
         near = [self.sentences[at] for at in sorted(places)]
-        free = [one for one in near if one.first is None]
-        bound = [one for one in near if one.first is not None and texts[0] in one.first]
-        return (one for one in (*bound, *free) if one.may_match(told))
+        begun = texts[0]
+        free = [one for one in near if one.first is None and one.may_match(told)]
+        for one in near:
+            if one.first is not None and begun in one.first and one.may_match(told):
+                yield one
+        yield from free
 
     def leading_words(self, name: str) -> frozenset[str]:
         """Return the single words of a kind of wrapping; a language may have none."""

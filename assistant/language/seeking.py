@@ -7,6 +7,7 @@ so that words nobody listed may stand between. What is found is as sure as the m
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 
 from assistant.language.answers import OPEN, answer
@@ -85,6 +86,7 @@ def chance(acts: tuple[TeacherAct, ...], chances: Chances) -> float:
     return sum(chances.get(one, 0.0) for one in {label_of(act) for act in acts})
 
 
+@lru_cache(maxsize=1024)
 def label_of(act: TeacherAct) -> str:
     """Return the label of an act."""
     told = act_to_json(act)

@@ -10,9 +10,10 @@ Source: conditional random fields (Lafferty, McCallum and Pereira 2001).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import numpy as np
@@ -179,38 +180,50 @@ def _next(
             yield TAGS.index(f"B-{slot}"), more
 
 
+@lru_cache(maxsize=128)
+def _steps(kind: str, known: Chain) -> tuple[NDArray[np.float32], NDArray[np.float64]]:
+    """Return what each way from one state to the next counts, as logarithm and as factor."""
+    ways = ways_of(kind)
+    steps = np.where(ways.steps, known.steps[np.ix_(ways.tags, ways.tags)], np.float32(_NEVER))
+    return steps, np.exp(steps.astype(np.float64))
+
+
 def tagging(traits: Hashes, kind: str, known: Chain) -> Tagging | None:
     """Return the likeliest slots of a kind of act in a clause; None if they cannot be told."""
     if not TAKES.get(kind) or not len(traits):
         return Tagging((), 1.0)
     ways = ways_of(kind)
-    tags = np.unique(ways.tags)
-    emitted = np.zeros((len(traits), len(TAGS)), np.float32)
-    emitted[:, tags] = known.weights[rows(traits, kind)][:, :, tags].sum(axis=1)
-    emitted = emitted[:, ways.tags]
-    steps = np.where(ways.steps, known.steps[np.ix_(ways.tags, ways.tags)], _NEVER)
+    told = np.take(known.weights, rows(traits, kind), axis=0)
+    emitted = (np.ones(told.shape[1], np.float32) @ told)[:, ways.tags]
+    steps, factors = _steps(kind, known)
     best = np.where(ways.begins, emitted[0], _NEVER)
-    total = best.copy()
     back: list[NDArray[np.int64]] = []
     for score in emitted[1:]:
         routes = best[:, None] + steps
         back.append(routes.argmax(axis=0))
         best = routes.max(axis=0) + score
-        routes = total[:, None] + steps
-        top = routes.max(axis=0)
-        total = top + np.log(np.exp(routes - top).sum(axis=0)) + score
-    best, total = (np.where(ways.ends, one, _NEVER) for one in (best, total))
+    best = np.where(ways.ends, best, _NEVER)
     at = int(best.argmax())
     if best[at] < _NEVER / 2:
         return None
     path = [at]
     for came in reversed(back):
         path.append(int(came[path[-1]]))
-    top = float(total.max())
-    likely = float(best[at]) - top - float(np.log(np.exp(total - top).sum()))
-    return Tagging(
-        spans_of_tags([TAGS[ways.tags[one]] for one in reversed(path)]), float(np.exp(likely))
-    )
+    likely = float(best[at]) - _all_together(emitted, ways, factors)
+    tags = [TAGS[ways.tags[one]] for one in reversed(path)]
+    return Tagging(spans_of_tags(tags), math.exp(min(likely, 0.0)))
+
+
+def _all_together(emitted: NDArray[np.float32], ways: Ways, factors: NDArray[np.float64]) -> float:
+    """Return the logarithm of what all ways over the words count together."""
+    tops = emitted.max(axis=1, keepdims=True).astype(np.float64)
+    odds = np.exp(emitted - tops)
+    total, scaled = odds[0] * ways.begins, float(tops.sum())
+    for one in odds[1:]:
+        total = total @ factors * one
+        whole = float(total.sum())
+        total, scaled = total / whole, scaled + math.log(whole)
+    return scaled + math.log(float(total @ ways.ends))
 
 
 def spans_of_tags(tags: list[str]) -> Tagged:

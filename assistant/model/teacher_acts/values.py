@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import fields
+from functools import cache
 from typing import Any, get_args
 
 from assistant.errors import BadInput
@@ -17,18 +18,26 @@ from assistant.model.teacher_acts.words import Where
 
 def act_name(act: TeacherAct | type[TeacherAct]) -> str:
     """Return the act's name in files and programs, such as ``adjust_speed``."""
-    name = (act if isinstance(act, type) else type(act)).__name__
+    return _snake((act if isinstance(act, type) else type(act)).__name__)
+
+
+@cache
+def _snake(name: str) -> str:
     return re.sub(r"(?<!^)(?=[A-Z])", "_", name).lower()
 
 
 ACTS: Mapping[str, type[TeacherAct]] = {act_name(kind): kind for kind in get_args(TeacherAct)}
+_SLOTS: Mapping[str, tuple[str, ...]] = {
+    name: tuple(field.name for field in fields(kind)) for name, kind in ACTS.items()
+}
 
 
 def act_to_json(act: TeacherAct) -> dict[str, Any]:
     """Return the act as a mapping, absent slots left out, tuples as lists."""
-    slots = {field.name: getattr(act, field.name) for field in fields(act)}
-    told = {name: _plain(value) for name, value in slots.items() if value is not None}
-    return {"act": act_name(act), **told}
+    name = act_name(act)
+    slots = ((slot, getattr(act, slot)) for slot in _SLOTS[name])
+    told = {slot: _plain(value) for slot, value in slots if value is not None}
+    return {"act": name, **told}
 
 
 def act_from_json(mapping: Mapping[str, Any]) -> TeacherAct:
@@ -49,7 +58,7 @@ def act_from_json(mapping: Mapping[str, Any]) -> TeacherAct:
     try:
         return kind(**{key: _frozen(value) for key, value in slots.items()})
     except TypeError as error:
-        known = ", ".join(field.name for field in fields(kind)) or "none"
+        known = ", ".join(_SLOTS[str(name)]) or "none"
         raise BadInput.one("act", f"wrong slots for {name}", f"its slots are: {known}") from error
 
 
