@@ -1,6 +1,9 @@
 """Made and mutated utterances: nothing raises, stops falsely, or acts on unknown.
 
-run: python -m tests.benchmarks.bench_language_fuzz [COUNT]
+Each is understood at a made-up place of the conversation, and heard by a dialogue that stands
+somewhere in a lesson: words that were not understood surely must start no motion there.
+
+run: python -m tests.benchmarks.bench_language_fuzz [COUNT] [SEED]
 """
 
 from __future__ import annotations
@@ -9,16 +12,27 @@ import random
 import string
 import sys
 import time
+from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import replace
 
+from assistant.dialogue import effects as fx
+from assistant.dialogue import events as ev
+from assistant.dialogue.machine import step
+from assistant.dialogue.state import Dialogue
 from assistant.language.phrasebook import phrasebook
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
-from assistant.model.listening import Listening
-from assistant.model.teacher_acts import ASKED, STAGES, Stop, Unknown
+from assistant.model import teacher_acts as acts
+from assistant.model.lesson import Question
+from assistant.model.listening import Listening, Understanding
+from assistant.session.meaning import meant
 from tests.benchmarks.bench_language import rows
+from tests.dialogue.teaching import Lessons
 
 SURE = 0.85
+MOTION = (fx.Move, fx.GoOn, fx.Replay, fx.SetHand, fx.Jog, fx.Home, fx.Record)
+Found = dict[str, list[str]]
 
 
 def made(rng: random.Random, texts: list[str], vocabulary: list[str]) -> str:
@@ -52,48 +66,94 @@ def mutated(rng: random.Random, text: str) -> str:
     return "".join(chars)
 
 
+def places() -> Mapping[str, Dialogue]:
+    """Return dialogues that stand at different places of one lesson."""
+    lessons = {
+        "naming": Lessons().open(),
+        "planned": Lessons().introduce(),
+        "awaiting": Lessons().confirmed(),
+        "watching": Lessons().confirmed().hear(acts.Start()),
+        "reviewing": Lessons().learned(),
+        "asking": Lessons().learned(Question("confirm_segmentation", "grasp object", "unsure")),
+        "ready": Lessons().ready(),
+        "moving": Lessons().ready().moving().report("primitive", 1),
+        "paused": Lessons().ready().moving().report("primitive", 1).hear(acts.Pause()),
+        "stopped": Lessons().ready().moving().report("primitive", 1).hear(acts.Stop()),
+        "ran": Lessons().ready().run(),
+        "agreed": Lessons().agreed(),
+    }
+    return {name: lesson.dialogue for name, lesson in lessons.items()}
+
+
+def begins_motion(after: Dialogue, effects: tuple[fx.Effect, ...]) -> bool:
+    """Whether something is set moving, or will be once its check is over."""
+    looking = after.run is not None and after.run.purpose in ("look", "dry")
+    checked = any(isinstance(one, fx.Check) for one in effects) and not looking
+    return checked or any(isinstance(one, MOTION) for one in effects)
+
+
+def understood(rng: random.Random, text: str, found: Found) -> Understanding:
+    """Look at what a text means at a made-up place, at rest and while the arm moves."""
+    names = ("pick up object", "approach object", "move up object", "place object")
+    listening = Listening(
+        stage=rng.choice(acts.STAGES),
+        asked=rng.choice((None, *acts.ASKED)),
+        subtasks=names if rng.random() < 0.5 else (),
+        objects=("block", "target") if rng.random() < 0.5 else (),
+    )
+    at_rest = understand(text, listening)
+    moving = understand(f"{text} stop", replace(listening, moving=True))
+    if moving.acts != (acts.Stop(),):
+        found["stop missed while moving"].append(text)
+    stops = any(isinstance(act, acts.Stop) for act in at_rest.acts)
+    if stops and at_rest.confidence >= SURE and not has_stop_word(text):
+        found["stopped without a stop word"].append(text)
+    if any(isinstance(act, acts.Unknown) for act in at_rest.acts) and len(at_rest.acts) > 1:
+        found["acted on unknown"].append(text)
+    return at_rest
+
+
+def heard(where: str, dialogue: Dialogue, text: str, found: Found) -> None:
+    """Look at what a dialogue does with a text, or with one that ends in a stop word."""
+    meaning = meant(dialogue, text, 1.0, "english")
+    after, effects = step(dialogue, ev.Heard(text, meaning))
+    unknown = all(isinstance(act, acts.Unknown) for act in meaning.acts)
+    if begins_motion(after, effects) and (unknown or meaning.confidence < SURE):
+        kind = "moved on unknown" if unknown else "moved though unsure"
+        found[kind].append(f"{where}: {text!r} {meaning.confidence:.2f} {meaning.acts}")
+    told = f"{text} stop"
+    stopping = step(dialogue, ev.Heard(told, meant(dialogue, told, 1.0, "english")))[1]
+    if dialogue.in_motion and not any(isinstance(one, fx.Halt) for one in stopping):
+        found["stop missed by the dialogue"].append(f"{where}: {text!r}")
+
+
 def main() -> None:
     """Run the count given, 100,000 by default, and print what went wrong."""
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
-    rng = random.Random(7)
+    seed = int(sys.argv[2]) if len(sys.argv) > 2 else 7
+    rng = random.Random(seed)
     texts = [row.text for file in ("tuning.yaml", "tuning4.yaml") for row in rows(file)]
     vocabulary = sorted(phrasebook().vocabulary)
-    names = ("pick up object", "approach object", "move up object", "place object")
-    raised: list[str] = []
-    stopped: list[str] = []
-    missed: list[str] = []
-    mixed: list[str] = []
+    stands = list(places().items())
+    kinds = (
+        *("raised", "stopped without a stop word", "stop missed while moving"),
+        *("acted on unknown", "moved on unknown", "moved though unsure"),
+        "stop missed by the dialogue",
+    )
+    found: Found = defaultdict(list, {kind: [] for kind in kinds})
     began = time.perf_counter()
     for _ in range(count):
         text = made(rng, texts, vocabulary)
-        listening = Listening(
-            stage=rng.choice(STAGES),
-            asked=rng.choice((None, *ASKED)),
-            subtasks=names if rng.random() < 0.5 else (),
-            objects=("block", "target") if rng.random() < 0.5 else (),
-        )
+        where, dialogue = rng.choice(stands)
         try:
-            meant = understand(text, listening)
-            moving = understand(f"{text} stop", replace(listening, moving=True))
+            understood(rng, text, found)
+            heard(where, dialogue, text, found)
         except Exception as error:
-            raised.append(f"{text!r}: {error!r}")
-            continue
-        if moving.acts != (Stop(),):
-            missed.append(text)
-        stops = any(isinstance(act, Stop) for act in meant.acts)
-        if stops and meant.confidence >= SURE and not has_stop_word(text):
-            stopped.append(text)
-        if any(isinstance(act, Unknown) for act in meant.acts) and len(meant.acts) > 1:
-            mixed.append(text)
+            found["raised"].append(f"{text!r}: {error!r}")
     took = time.perf_counter() - began
-    print(f"{count} utterances in {took:.0f} s ({took / count * 1e3:.2f} ms each)")
-    for name, found in (
-        ("raised", raised),
-        ("stopped without a stop word", stopped),
-        ("stop missed while moving", missed),
-        ("acted on unknown", mixed),
-    ):
-        print(f"{name}: {len(found)} {found[:5]}")
+    print(f"{count} utterances, seed {seed}, in {took:.0f} s ({took / count * 1e3:.2f} ms each)")
+    for kind, texts_found in found.items():
+        print(f"{kind}: {len(texts_found)}", *texts_found[:12], sep="\n  ")
 
 
 if __name__ == "__main__":
