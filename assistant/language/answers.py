@@ -27,7 +27,6 @@ OPEN: frozenset[Asked] = frozenset(
         "facing",
     )
 )
-_ARTICLES = frozenset(("a", "an", "the"))
 _KEEP_ARTICLE: frozenset[Asked] = frozenset(("task_name", "goal", "subtask_name", "facing"))
 
 
@@ -52,7 +51,7 @@ def answer(words: Words, asked: Asked, book: Phrasebook) -> Inform | None:
     if asked in LISTS:
         found = items(core, asked, book)
         return Inform(found) if found else None
-    if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in _ARTICLES:
+    if asked not in _KEEP_ARTICLE and len(core) > 1 and core[0].text in book.little["articles"]:
         core = core[1:]
     value = told(core) if asked == "goal" else said(core)
     return Inform(value) if value else None
@@ -129,11 +128,11 @@ def _count(words: Words, book: Phrasebook) -> Inform | None:
         return Inform(0 if value == 1 and _is_none(texts, book) else value)
     if _is_none(texts, book):
         return Inform(0)
-    if any(text in ("pair", "couple", "both", "double") for text in texts):
+    if book.little["pairs"] & set(texts):
         return Inform(2)
-    if "dozen" in texts:
+    if book.little["dozens"] & set(texts):
         return Inform(12)
-    return Inform(1) if texts and texts[0] in ("one", "single", "just") else None
+    return Inform(1) if texts and texts[0] in book.little["single"] else None
 
 
 def _counted_up(values: Sequence[int]) -> int:
@@ -147,16 +146,13 @@ def _counts(texts: Phrase, book: Phrasebook) -> Iterator[tuple[int, bool, int]]:
     at = 0
     while at < len(texts):
         found = book.numbers.number(texts, at)
-        if found is None or texts[at] in ("first", "once", "second", "third"):
+        if found is None or texts[at] in book.little["not_counted"]:
             at += 1
             continue
         if found[0] == int(found[0]) and 0 <= found[0] < 1000:
             behind = texts[found[1] : found[1] + 2]
-            yield int(found[0]), any(text.rstrip("s") in _COUNTED for text in behind), -at
+            yield int(found[0]), bool(book.little["counted"] & set(behind)), -at
         at = found[1]
-
-
-_COUNTED = frozenset(("step", "part", "subtask", "stage", "phase", "action", "piece", "thing"))
 
 
 def _is_none(texts: Sequence[str], book: Phrasebook) -> bool:

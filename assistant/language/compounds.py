@@ -35,8 +35,6 @@ from assistant.model.teacher_acts import (
 
 _AMONG_TALK = (*CORRECTIONS, Again, NewSetup, Pause, Redo, Resume, Start, Undo)
 _IDLE = (Unknown, Affirm, Deny)
-_PARTING = frozenset(("and", "but", "so", "because", "then", "und", "aber", "weil"))
-_JOINTS = frozenset(("and", "then", "but", "also", "plus", "und", "aber", "dann"))
 
 
 def compound(words: Words, hearing: Hearing) -> Parse | None:
@@ -86,11 +84,12 @@ def united(words: Words, hearing: Hearing) -> Words:
 
 def _partly(words: Words, hearing: Hearing) -> Parse | None:
     """Return what some stretches ask if the others mean nothing here, as a guess."""
+    parting = hearing.book.little["parting"]
     cuts = [
         at
         for at in range(1, len(words))
         if words[at].broken
-        or (words[at].text in _PARTING and words[at - 1].text not in hearing.book.negating)
+        or (words[at].text in parting and words[at - 1].text not in hearing.book.negating)
     ]
     if not cuts:
         return None
@@ -100,7 +99,7 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
     best: Parse | None = None
     missed = 0
     for start, end in pairwise((0, *cuts, len(words))):
-        part = words[start + (words[start].text in _PARTING) : end]
+        part = words[start + (words[start].text in parting) : end]
         parse = clause(part, hearing) if part else None
         if parse is not None and parse.score >= 0.78 and not isinstance(parse.acts[0], _IDLE):
             found.extend(parse.acts)
@@ -109,7 +108,7 @@ def _partly(words: Words, hearing: Hearing) -> Parse | None:
     acts = tuple(dict.fromkeys(found))
     if len(acts) > 1 and not all(isinstance(act, CORRECTIONS) for act in acts):
         acts = best.acts if best is not None and best.score >= SURE - 0.01 else acts[-1:]
-    if not acts or (missed > 3 and not _asked_for(words)):
+    if not acts or (missed > 3 and not _asked_for(words, hearing)):
         return None
     return Parse(acts, 0.75 if missed else 0.86, "partly")
 
@@ -131,22 +130,23 @@ def _beside_chat(words: Words, hearing: Hearing) -> Parse | None:
     return Parse(acts, 0.75, "partly") if len(acts) == 1 and acts != (Stop(),) else None
 
 
-def _asked_for(words: Words) -> bool:
-    return any(word.text in ("please", "you", "could", "would") for word in words)
+def _asked_for(words: Words, hearing: Hearing) -> bool:
+    return bool(hearing.book.little["asking_for"] & set(texts_of(words)))
 
 
 def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:
     if depth == 0 or len(words) > 40:
         return None
+    joints = hearing.book.little["clause_joints"]
     for at in range(1, len(words)):
-        joint = words[at].text in _JOINTS
+        joint = words[at].text in joints
         if not (joint or words[at].broken):
             continue
         first = clause(words[:at], hearing)
         if first is None or first.score < LIKELY:
             continue
         rest = words[at + 1 :] if joint else words[at:]
-        while len(rest) > 1 and rest[0].text in _JOINTS:
+        while len(rest) > 1 and rest[0].text in joints:
             rest = rest[1:]
         if not rest:
             continue
@@ -160,20 +160,21 @@ def _joined(words: Words, hearing: Hearing, depth: int) -> Parse | None:
 
 def once_more(words: Words, hearing: Hearing) -> Parse | None:
     """Read "again, more left": a correction, then the practice once more."""
-    texts = texts_of(words)
+    texts, little = texts_of(words), hearing.book.little
+    joints = little["clause_joints"]
     for phrase in hearing.book.again:
         size = len(phrase)
         begins, ends = texts[:1] == phrase[:1], texts[-1:] == phrase[-1:]
         if begins and texts[:size] == phrase and len(texts) > size:
             rest = words[size:]
-            while len(rest) > 1 and rest[0].text in (*_JOINTS, "with", "now"):
+            while len(rest) > 1 and rest[0].text in joints | little["again_with"]:
                 rest = rest[1:]
         elif ends and texts[-size:] == phrase and len(texts) > size + 1:
             rest = words[:-size]
-            joined = rest[-1].text in _JOINTS
+            joined = rest[-1].text in joints
             if not (joined or words[-size].broken):
                 continue
-            while rest and rest[-1].text in _JOINTS:
+            while rest and rest[-1].text in joints:
                 rest = rest[:-1]
         else:
             continue

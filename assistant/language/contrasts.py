@@ -75,31 +75,27 @@ def _dropped(words: Words, at: int, hearing: Hearing) -> tuple[int, str] | None:
     end, group = at, ""
     while at < len(texts) and not group:
         end, group = _kind_at(texts, at, hearing)
-        if not group and texts[at] not in _SMALL:
+        if not group and texts[at] not in hearing.book.little["contrast_little"]:
             return None
         at += 1
-    while end < len(texts) and texts[end] in ("but", "rather", "instead"):
+    while end < len(texts) and texts[end] in hearing.book.little["contrast_marks"]:
         end += 1
     return (end, group) if group else None
 
 
 def _kind_at(texts: Phrase, at: int, hearing: Hearing) -> tuple[int, str]:
     """Return where what stands at a place ends, and of which kind of words it is."""
-    if texts[at] in _WHENS:
+    if texts[at] in hearing.book.little["whens"]:
         return at + 1, "when"
     tag = tags_of(texts[at:], hearing.book, hearing.names)[0]
     kinds = (name for name, kinds in GROUPS.items() if tag.kind in kinds)
     return at + len(tag.words), next(kinds, "")
 
 
-_SMALL = frozenset(("to", "the", "so", "too", "by", "a"))
-_WHENS = frozenset(("before", "after", "during", "while"))
-
-
 def _holds(words: Words, group: str, hearing: Hearing) -> bool:
     """Tell whether words of a kind are among others."""
     if group == "when":
-        return bool(_WHENS & set(texts_of(words)))
+        return bool(hearing.book.little["whens"] & set(texts_of(words)))
     tags = tags_of(texts_of(words), hearing.book, hearing.names)
     return any(tag.kind in GROUPS[group] for tag in tags)
 
@@ -124,13 +120,13 @@ def _denies(words: Words, hearing: Hearing, *, restated: bool) -> bool:
     """Tell a clause that says no, alone or among words that say nothing."""
     texts, book = texts_of(words), hearing.book
     refusing = book.no | book.refusing
-    little = refusing | book.empty | {"not"}
+    little = refusing | book.empty | book.little["not"]
     if set(texts) & refusing and all(text in little for text in texts):
         return True
     tags = tags_of(texts, book, hearing.names)
     if any(tag.kind in kinds for tag in tags for kinds in GROUPS.values()):
         return False
-    if restated and "not" in texts:
+    if restated and book.little["not"] & set(texts):
         return True
     parse = clause(words, hearing)
     return parse is not None and parse.acts == (Deny(),)

@@ -84,6 +84,6 @@ def _led(start: int, end: int, words: Words, used: set[int], known: Frames) -> b
     if start == 1:
         return end < len(words) and words[end].text in known.small("verbs")
     lead = words[start - 2].text
-    if lead == "to":
+    if lead in known.small("to"):
         return start - 2 in used and words[start - 3].text not in known.small("wanting")
     return lead in known.small("leads")

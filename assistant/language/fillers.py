@@ -10,10 +10,6 @@ from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import Asked
 
 _LONGEST = 7
-_OWNING = frozenset(("the", "my", "our", "your", "his", "her", "a", "an"))
-_GREETING = frozenset(
-    ("hello", "hi", "hey", "right", "ok", "okay", "well", "now", "so", "oh", "hallo", "na")
-)
 
 
 def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
@@ -86,11 +82,13 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
                 words, changed = words[size:], True
                 break
             set_off = words[-size].broken or (asked not in OPEN and tail in book.vocatives[0])
-            greeted = words[0].text in _GREETING and _texts(words[1 : size + 1]) in known
+            greeted = (
+                words[0].text in book.little["greetings"] and _texts(words[1 : size + 1]) in known
+            )
             if greeted and len(words) > size + 1 and words[size + 1].broken:
                 words, changed = words[size + 1 :], True
                 break
-            owned = words[-size - 1].text in _OWNING
+            owned = words[-size - 1].text in book.little["owning"]
             if tail in known and set_off and not owned:
                 words, changed = words[:-size], True
                 break

@@ -25,7 +25,8 @@ def kept(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     for start, end in _marks(texts, words, hearing.book):
         name = _name(words[end:], hearing.book)
-        if not name or "and" in texts[end + len(name) : end + len(name) + 1]:
+        behind = set(texts[end + len(name) : end + len(name) + 1])
+        if not name or behind & hearing.book.little["and"]:
             continue
         kind = _kind(texts[:start], texts[end + len(name) :], hearing.book)
         if kind is None:
@@ -78,6 +79,8 @@ def _name(words: Words, book: Phrasebook) -> Words:
         size = len(phrase)
         cut = next((at for at in range(1, end - size + 1) if texts[at : at + size] == phrase), end)
         end = min(end, cut)
-    odd = {("it",), ("that",), ("this",), ("them",), ("each",)} | set(book.keeping["nouns"])
-    fit = 0 < end <= LONGEST_NAME and texts[:end] not in odd
+    odd = texts[:end] in book.keeping["nouns"] or (
+        end == 1 and texts[0] in book.little["no_lesson"]
+    )
+    fit = 0 < end <= LONGEST_NAME and not odd
     return words[:end] if fit else ()

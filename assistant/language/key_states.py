@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from assistant.language.little_words import LittleWords
 from assistant.language.parsing import DOUBTFUL, LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase
 from assistant.language.sentences import best_sentence
@@ -22,19 +23,20 @@ def key_state(words: Words, hearing: Hearing) -> Parse | None:
     texts = texts_of(words)
     nouns = {word for phrase in lists["key_nouns"] for word in phrase} | hearing.names
     verbs = {word for phrase in lists["key_verbs"] for word in phrase}
-    weak = {"it", "they", "both", "is", "are", "was", "got", "does", "no"}
+    little = hearing.book.little
+    weak = little["key_weak"]
     strong = (set(texts) & (nouns | verbs)) - weak
     concerned = bool(set(texts) & nouns and set(texts) & verbs and strong)
-    concerned = concerned or (_stated_now(texts) and bool(set(texts) & verbs - weak))
+    concerned = concerned or (_stated_now(texts, little) and bool(set(texts) & verbs - weak))
     callings = {word for phrase in lists["key_calling"] for word in phrase}
     calling = bool(words_before) and words_before[0].text in callings
     concerned = concerned or (calling and bool(set(texts) & verbs - weak) and len(texts) > 3)
-    if set(texts) & hearing.book.chat and not (_stated_now(texts) and strong):
+    if set(texts) & hearing.book.chat and not (_stated_now(texts, little) and strong):
         return None
-    asking = texts and texts[0] in ("what", "why", "how", "who", "where", "do", "can", "are")
+    asking = texts and texts[0] in little["key_asking"]
     if not concerned or asking or len(texts) < 3:
         return None
-    if texts[0] in ("i", "we", "my", "they", "he", "she") and not marked:
+    if texts[0] in little["own_subjects"] and not marked:
         return Parse((KeyState(said(words)),), DOUBTFUL)
     return Parse((KeyState(said(words)),), LIKELY if marked else LIKELY - 0.03)
 
@@ -46,12 +48,11 @@ def _cued_behind(words: Words, hearing: Hearing) -> bool:
     return told is not None and isinstance(told.acts[0], Cue)
 
 
-def _stated_now(texts: Phrase) -> bool:
+def _stated_now(texts: Phrase, little: LittleWords) -> bool:
     """Tell "the can is gripped now", whatever the can is."""
-    stating = {"is", "are", "has", "have", "sits", "lies", "stands", "hangs", "rests"}
-    at = next((n for n, text in enumerate(texts) if text in stating), 0)
-    talk = {"i", "you", "we", "he", "she", "they", "my", "that", "this", "what", "there", "step"}
-    return 0 < at <= 4 and not set(texts[:at]) & talk and texts[-1] == "now"
+    at = next((n for n, text in enumerate(texts) if text in little["key_states"]), 0)
+    talk = set(texts[:at]) & little["key_talk"]
+    return 0 < at <= 4 and not talk and texts[-1] in little["now"]
 
 
 def _marker(words: Words, markers: Sequence[Phrase]) -> int:

@@ -77,8 +77,9 @@ def _begins(words: Words, start: int, at: int, asked: Asked, book: Phrasebook) -
     """Tell an article or a "to" that begins the next of a list said without a pause."""
     texts = _texts(words)
     if asked == "actions":
-        last = max((n for n in range(len(texts) - 1) if texts[n] == "and"), default=-1)
-        return texts[at] == "to" and texts[last + 1] == "to"
+        last = max((n for n in range(len(texts) - 1) if texts[n] in book.little["and"]), default=-1)
+        to = book.little["to"]
+        return texts[at] in to and texts[last + 1] in to
     articles = book.leading_words("articles")
     if asked != "objects" or texts[at] not in articles or set(texts[start:at]) <= _leading(book):
         return False
@@ -170,7 +171,7 @@ def _apart(words: Words, book: Phrasebook) -> Iterator[Words]:
 
 
 def _without_articles(words: Words, book: Phrasebook) -> Words:
-    articles = ("a", "an", "the")
+    articles = book.little["articles"]
     return tuple(word for word in words if word.text not in articles) or words
 
 

@@ -24,6 +24,11 @@ def bare(key: str) -> str:
     return told[1:-1] if len(told) > 2 and told[0] == told[-1] == "'" else told
 
 
+def listed(text: str) -> tuple[str, ...]:
+    """Return what stands between commas, each with its own spaces."""
+    return tuple(one.strip() for one in text.split(",") if one.strip())
+
+
 def phrases(text: str) -> list[Phrase]:
     """Return the phrases between commas."""
     joined = " ".join(text.split())

@@ -39,42 +39,19 @@ from assistant.model.teacher_acts import (
     Where,
 )
 
-_ASKING = frozenset(("is", "are", "was", "do", "does", "did", "has", "have"))
-_ASKING_WHY = frozenset(("what", "why", "how", "who", "where", "which"))
-_STATING = frozenset(
-    [
-        "there",
-        "i",
-        "my",
-        "he",
-        "she",
-        "they",
-        "we",
-        "is",
-        "are",
-        "do",
-        "does",
-        "did",
-        "have",
-        "has",
-        "his",
-        "her",
-        "our",
-    ]
-)
-
 
 def correction(texts: Phrase, hearing: Hearing) -> Parse | None:
     """Return a correction of the motion with the confidence its unexplained words leave."""
-    if len(texts) > 25 or (texts and texts[0] in ("what", "why", "how", "who", "where")):
+    little = hearing.book.little
+    if len(texts) > 25 or (texts and texts[0] in little["open_questions"]):
         return None
     reading = read_motion(texts, hearing.book, hearing.names)
     if reading is None or reading.unexplained > 2:
         return None
     empty = 0.004 * min(5, reading.empty)
-    if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in _STATING):
+    if reading.unexplained and (set(texts) & hearing.book.chat or texts[0] in little["stating"]):
         return None
-    if reading.unexplained == 0 and (texts[0] in _ASKING or reading.empty > 4):
+    if reading.unexplained == 0 and (texts[0] in little["asking"] or reading.empty > 4):
         return Parse(reading.acts, GUESSED, "motion")
     return Parse(reading.acts, explained(reading.unexplained) - empty, "motion")
 
@@ -87,10 +64,11 @@ def explained(unexplained: int) -> float:
 def located_correction(words: Words, hearing: Hearing) -> Parse | None:
     """Read "when you place it, a bit more left": a correction with where it belongs."""
     texts = texts_of(words)
-    if texts[0] in _ASKING_WHY and texts[1:2] not in (("if",), ("about",)):
+    little, told = hearing.book.little, set(texts)
+    if texts[0] in little["asking_why"] and not set(texts[1:2]) & little["conditional"]:
         return None
-    returning = {"back"} & set(texts) and {"when", "before", "until"} & set(texts)
-    if returning and texts[0] in ("go", "back", "return", "get", "take"):
+    returning = little["back"] & told and little["until"] & told
+    if returning and texts[0] in little["going_back"]:
         return None
     stated = _stated(words, hearing)
     if stated is not None:
@@ -122,29 +100,28 @@ def acted_correction(words: Words, hearing: Hearing) -> Parse | None:
     """Read "grasp it a bit lower": a correction of the step the verb names."""
     texts = texts_of(words)
     things = {word for phrase in hearing.book.answer_words["pose_bodies"] for word in phrase}
-    size = 2 if texts[1:2] in (("it",), ("that",)) else 3
-    known = size == 2 or (len(texts) > 2 and texts[1] in ("the", "a") and texts[2] in things)
-    if texts[0] not in _STEPPING or not known or len(texts) <= size:
+    little = hearing.book.little
+    size = 2 if set(texts[1:2]) & little["lately_named"] else 3
+    thing = len(texts) > 2 and texts[1] in little["articles"] and texts[2] in things
+    known = size == 2 or thing
+    if texts[0] not in little["stepping"] or not known or len(texts) <= size:
         return None
     found = correction(texts[size:], hearing)
     if found is None or found.score < LIKELY:
         return None
     names = hearing.listening.subtasks
-    step = known_name(texts[:1], names, hearing.book.numbers) or said(words[:size])
+    step = known_name(texts[:1], names, hearing.book) or said(words[:size])
     return _at(found, Where(step), SURE)
-
-
-_STEPPING = frozenset(("grasp", "grab", "approach", "release", "pick"))
 
 
 def _stated(words: Words, hearing: Hearing) -> Parse | None:
     """Read "the approach is too fast": a correction of the step that is spoken of."""
     texts = texts_of(words)
     for at in range(1, min(len(texts) - 1, LONGEST_NAME)):
-        if texts[at] not in ("is", "was", "needs", "should", "must", "goes", "went"):
+        if texts[at] not in hearing.book.little["step_states"]:
             continue
         names = hearing.listening.subtasks
-        known = known_name(texts[:at], names, hearing.book.numbers)
+        known = known_name(texts[:at], names, hearing.book)
         found = correction(texts[at:], hearing) if known else None
         if found is not None and found.score >= LIKELY:
             return _at(found, Where(str(known)), SURE - 0.02)
@@ -168,10 +145,10 @@ def _joined(
     subject = without_noun(named, hearing.book)
     if not subject or len(subject) > LONGEST_NAME:
         return None
-    if not told or told[-1].text in ("to", "of", "by", "and", "from"):
+    if not told or told[-1].text in hearing.book.little["left_hanging"]:
         return None
     texts = texts_of(subject)
-    known = known_name(texts, hearing.listening.subtasks, hearing.book.numbers)
+    known = known_name(texts, hearing.listening.subtasks, hearing.book)
     trust = SURE if known else trust_in(texts, phrase, hearing, told=len(subject) < len(named))
     if is_weak(phrase, hearing.book) and trust < LIKELY and verb_in(place, hearing):
         trust = SURE

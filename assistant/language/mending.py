@@ -21,10 +21,11 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
     """Yield the lines that may be left, the likeliest first."""
     texts = texts_of(words)
     marks, kept = hearing.book.correction, hearing.book.not_taken_back
+    little = hearing.book.little
     for at in range(len(words) - 1, 0, -1):
         begun = hearing.book.correction_begun.get(texts[at], ())
         phrase = next((one for one in begun if texts[at : at + len(one)] == one), None)
-        if phrase is None or words[at - 1].text in _OWNING:
+        if phrase is None or words[at - 1].text in little["making_nouns"]:
             continue
         if any(texts[at : at + len(one)] == one for one in kept):
             continue
@@ -32,7 +33,8 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
         between = not at_end and _alike(words[at - 1], words[at + len(phrase)], hearing)
         if not (words[at].broken or len(phrase) > 1 or at_end or between):
             continue
-        if at_end and phrase in _TAGS:
+        if at_end and len(phrase) == 1 and phrase[0] in little["tags"]:
+            # At the end they ask for consent: "go a bit up, no".
             continue
         before, behind = words[:at], without_marks(words[at + len(phrase) :], marks)
         before = _without_marks_behind(before, marks)
@@ -43,12 +45,6 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
         elif any(word.broken for word in before[1:]):
             cut = max(n for n in range(1, len(before)) if before[n].broken)
             yield from _replaced(before[:cut], before[cut:], hearing)
-
-
-_OWNING = frozenset(("the", "that", "this", "my", "your", "last", "a"))
-"""Before a mark they make a noun of it: "reduce that last correction"."""
-_TAGS = frozenset((("no",), ("right",)))
-"""At the end they ask for consent: "go a bit up, no"."""
 
 
 def without_marks(words: Words, marks: Sequence[Phrase]) -> Words:
@@ -82,13 +78,12 @@ def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]
     for at in range(len(before) - 1, least, -1):
         if _alike(before[at], first, hearing):
             yield (*before[:at], _unbroken(first, before[at]), *behind[1:])
-    if len(behind) > 2 and behind[0].text in _REFERRING and behind[1].text in _BEING:
+    little = hearing.book.little
+    referring = len(behind) > 2 and behind[0].text in little["pointing"]
+    if referring and behind[1].text in little["being"]:
         # "the second piece is lifting, no, it is lowering": what "it" is stands before.
         yield from _replaced(before, behind[1:], hearing)
     yield behind
-
-
-_REFERRING, _BEING = frozenset(("it", "that", "this")), frozenset(("is", "was", "should"))
 
 
 def _amount(words: Words, hearing: Hearing) -> tuple[int, int] | None:

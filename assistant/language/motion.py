@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import cast
 
+from assistant.language.little_words import LittleWords
 from assistant.language.pace import factor_of as factor_of
 from assistant.language.pace import speed_of
 from assistant.language.phrasebook import Phrasebook
 from assistant.language.tags import (
-    JOINTS,
     OPPOSITE,
     PACES,
     WAYS,
@@ -51,7 +51,7 @@ def read_motion(
     if not _said_motion(kinds) and not any(kind in PACES for kind in kinds):
         unexplained += empty
     if any(kind in PACES or kind == "speed" for kind in kinds):
-        paced = speed_of(tags, words)
+        paced = speed_of(tags, words, book.little)
         rest = [tag for tag in tags if tag.kind in WAYS]
         if paced is None:
             return None
@@ -61,11 +61,11 @@ def read_motion(
     ways = [at for at, kind in enumerate(kinds) if kind in WAYS]
     if not ways:
         return None
-    groups = _groups(tags, ways)
+    groups = _groups(tags, ways, book.little["joints"])
     acts: list[TeacherAct] = []
     turning = any(kind in ("turn", "tilt") for kind in kinds)
     for group in groups:
-        act = _displacement(group, turning=turning)
+        act = _displacement(group, book.little, turning=turning)
         if act is None:
             return None
         acts.append(act)
@@ -92,7 +92,9 @@ def _odd(kinds: Sequence[str]) -> bool:
     return kinds.count("skip") > 2
 
 
-def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]:
+def _groups(
+    tags: tuple[Tag, ...], ways: Sequence[int], joining: frozenset[str]
+) -> list[tuple[Tag, ...]]:
     """Cut a clause with several directions into one stretch a direction."""
     distinct = [
         at for n, at in enumerate(ways) if n == 0 or _way(tags, at) != _way(tags, ways[n - 1])
@@ -101,7 +103,7 @@ def _groups(tags: tuple[Tag, ...], ways: Sequence[int]) -> list[tuple[Tag, ...]]
         return [tags]
     cuts = [0]
     for before, after in pairwise(distinct):
-        joints = [at for at in range(before + 1, after) if tags[at].words[0] in JOINTS]
+        joints = [at for at in range(before + 1, after) if tags[at].words[0] in joining]
         cuts.append(joints[0] if joints else before + 1)
     return [tags[a:b] for a, b in zip(cuts, [*cuts[1:], len(tags)], strict=True)]
 
@@ -110,7 +112,7 @@ def _way(tags: Sequence[Tag], at: int) -> str:
     return WAYS[tags[at].kind]
 
 
-def _displacement(tags: Sequence[Tag], *, turning: bool) -> TeacherAct | None:
+def _displacement(tags: Sequence[Tag], little: LittleWords, *, turning: bool) -> TeacherAct | None:
     way = next((WAYS[tag.kind] for tag in tags if tag.kind in WAYS), None)
     if way is None:
         return None
@@ -122,7 +124,7 @@ def _displacement(tags: Sequence[Tag], *, turning: bool) -> TeacherAct | None:
     value = abs(quantity.value) if quantity and kind in ("m", "deg") else None
     if quantity and kind == "" and turning:
         value = abs(quantity.value)
-    told = None if value is not None else degree(tags)
+    told = None if value is not None else degree(tags, little)
     if turning:
         angle = None if value is None else rounded(value)
         return Rotate(cast("TurnDirection", way), told, angle)

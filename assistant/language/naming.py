@@ -2,75 +2,52 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 
-from assistant.language.numbers import NumberWords
-
-_ARTICLES = frozenset(
-    ["the", "a", "an", "this", "that", "my", "our", "your", "its", "these", "those", "both"]
-)
-_STEP = frozenset(
-    ["step", "subtask", "part", "primitive", "phase", "action", "one", "stage", "number"]
-)
-_LAST = frozenset(("last", "final"))
-_GENERIC = frozenset(
-    [
-        "object",
-        "target",
-        "it",
-        "thing",
-        "onto",
-        "on",
-        "to",
-        "of",
-        "the",
-        "a",
-        "an",
-        "and",
-        "with",
-        "into",
-        "from",
-    ]
-)
-_ENDINGS = re.compile(r"(?:ing|ed|es|s|e)$")
+from assistant.language.little_words import LittleWords, little_words
+from assistant.language.phrasebook import Phrasebook
 
 
-def without_article(
-    words: Sequence[str], articles: frozenset[str] = frozenset()
-) -> tuple[str, ...]:
-    """Return the words without articles in front: those of English and `articles`."""
+def without_article(words: Sequence[str], articles: frozenset[str]) -> tuple[str, ...]:
+    """Return the words without articles and the like in front."""
     at = 0
-    while at < len(words) - 1 and words[at] in _ARTICLES | articles:
+    while at < len(words) - 1 and words[at] in articles:
         at += 1
     return tuple(words[at:])
 
 
-def known_name(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
+def known_name(words: Sequence[str], names: Sequence[str], book: Phrasebook) -> str | None:
     """Return the known name the words refer to, by place or by likeness; None if unclear."""
-    bare = without_article(words, numbers.articles)
+    bare = without_article(words, book.little["determiners"] | book.numbers.articles)
     if not names or not bare:
         return None
-    placed = _by_place(bare, names, numbers)
+    placed = _by_place(bare, names, book)
     if placed is not None:
         return placed
     spoken = " ".join(bare)
     if spoken in names:
         return spoken
     # Of equally like names the last is taken: parts are told after what they are part of.
-    scores = [(_likeness(bare, name), _shared(bare, name), at) for at, name in enumerate(names)]
+    little = book.little
+    scores = [
+        (_likeness(bare, name, little), _shared(bare, name, little), at)
+        for at, name in enumerate(names)
+    ]
     best, shared, at = max(scores)
     near = [one for one in scores if one[0] > best - 0.04 and one[1] >= shared and one[2] != at]
-    if best < 0.5 or any(not _same_content(names[one[2]], names[at]) for one in near):
+    if best < 0.5 or any(
+        _content(names[one[2]], little) != _content(names[at], little) for one in near
+    ):
         return None
     return names[at]
 
 
-def _by_place(words: Sequence[str], names: Sequence[str], numbers: NumberWords) -> str | None:
-    rest = [word for word in words if word not in _STEP]
+def _by_place(words: Sequence[str], names: Sequence[str], book: Phrasebook) -> str | None:
+    numbers, little = book.numbers, book.little
+    rest = [word for word in words if word not in little["step_nouns"]]
     if len(rest) != 1 or (len(words) == 1 and words[0] not in numbers.ordinals):
         return None
-    if rest[0] in _LAST:
+    if rest[0] in little["last_ones"]:
         return names[-1]
     place = numbers.ordinal(rest, 0) or numbers.number(rest, 0)
     if place is None or not 1 <= place[0] <= len(names):
@@ -78,8 +55,8 @@ def _by_place(words: Sequence[str], names: Sequence[str], numbers: NumberWords) 
     return names[int(place[0]) - 1]
 
 
-def _likeness(words: Sequence[str], name: str) -> float:
-    said, known = _stems(words), _stems(name.lower().split())
+def _likeness(words: Sequence[str], name: str, little: LittleWords) -> float:
+    said, known = _stems(words, little), _content(name, little)
     if not said or not known:
         return 0.0
     common = said & known
@@ -88,23 +65,30 @@ def _likeness(words: Sequence[str], name: str) -> float:
     return len(common) / len(said) * 0.75 + 0.25 * len(common) / len(known)
 
 
-def _shared(words: Sequence[str], name: str) -> int:
+def _shared(words: Sequence[str], name: str, little: LittleWords) -> int:
     """Return how many words, small ones too, are those of the name."""
-    return len({stem(word) for word in words} & {stem(word) for word in name.lower().split()})
+    told = name.lower().split()
+    return len({_stem(word, little) for word in words} & {_stem(word, little) for word in told})
 
 
-def _same_content(name: str, other: str) -> bool:
-    return _stems(name.lower().split()) == _stems(other.lower().split())
+def _content(name: str, little: LittleWords) -> set[str]:
+    return _stems(name.lower().split(), little)
 
 
-def _stems(words: Sequence[str]) -> set[str]:
-    content = [word for word in words if word not in _GENERIC and word not in _STEP]
-    return {stem(word) for word in (content or words)}
+def _stems(words: Sequence[str], little: LittleWords) -> set[str]:
+    empty = little["generic"] | little["step_nouns"]
+    content = [word for word in words if word not in empty]
+    return {_stem(word, little) for word in (content or words)}
 
 
-def stem(word: str) -> str:
+def stem(word: str, language: str = "english") -> str:
     """Return a word without its ending, so that "moves" and "moving" are alike."""
-    found = _ENDINGS.sub("", word) if len(word) > 3 else word
+    return _stem(word, little_words(language))
+
+
+def _stem(word: str, little: LittleWords) -> str:
+    ending = next((one for one in little.stems if word.endswith(one)), "")
+    found = word.removesuffix(ending) if len(word) > 3 else word
     if len(found) > 3 and found[-1] == found[-2]:
         found = found[:-1]
     return found

@@ -42,6 +42,8 @@ class NumberWords:
     points: frozenset[str]
     minus: frozenset[str]
     within: frozenset[str]
+    of: frozenset[str]
+    unit_joints: frozenset[str]
     begins: frozenset[str]
 
     def number(self, words: Sequence[str], at: int) -> tuple[float, int] | None:
@@ -75,12 +77,9 @@ class NumberWords:
                 return self._with_fraction_behind(words, unit, 1.0, at + 2)
             return None
         value, end = found
-        while end < len(words) and words[end] in ("of", "a", "an", "more"):
-            following = (
-                end
-                + 1
-                + (words[end] == "of" and tuple(words[end + 1 : end + 2]) in (("a",), ("an",)))
-            )
+        while end < len(words) and words[end] in self.unit_joints:
+            one = set(words[end + 1 : end + 2]) & self.unit_joints & self.articles
+            following = end + 1 + (words[end] in self.of and bool(one))
             if following < len(words) and words[following] in self.units:
                 end = following
                 break
@@ -291,5 +290,7 @@ def number_words(told: Mapping[str, Any]) -> NumberWords:
         points=words["point"],
         minus=words["minus"],
         within=frozenset(told.get("within", "").split()),
+        of=frozenset(told.get("of", "").split()),
+        unit_joints=frozenset(told.get("unit_joints", "").split()),
         begins=frozenset().union(ones, tens, begun, fractions, *words.values()),
     )

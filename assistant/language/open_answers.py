@@ -104,7 +104,7 @@ def answered(words: Words, hearing: Hearing) -> Parse:
         return unknown(words, hearing)
     if asked in ("missing_step", "which") and isinstance(found.value, str):
         names = hearing.listening.subtasks
-        found = Inform(known_name(tuple(found.value.split()), names, book.numbers) or found.value)
+        found = Inform(known_name(tuple(found.value.split()), names, book) or found.value)
     return Parse((found,), _answer_score(found, words, asked, hearing), "answer")
 
 
@@ -160,7 +160,7 @@ def _answer_score(found: Inform, words: Words, asked: Asked, hearing: Hearing) -
     if asked in ("goal", "facing"):
         begins = bool(names[0]) and names[0][0] not in wraps
         return _TOLD if plain and begins and len(words) <= 14 else GUESSED
-    names = [name for name in names if name] or [["it"]]
+    names = [name for name in names if name] or [[*book.little["pronoun"]]]
     marked = isinstance(value, str) and any(word.broken for word in told[1:])
     strange = any(name[0] in wraps or set(name) & book.impure for name in names)
     strange = strange or (asked in LISTS and any(_odd(name, book) for name in names))
@@ -172,7 +172,11 @@ def _odd(name: list[str], book: Phrasebook) -> bool:
     """Tell an item of a list with words that name no thing: "more nothing", "naturally"."""
     little = book.empty - book.leading_words("prepositions") - book.leading_words("qualities")
     hollow = little | book.yes | book.no | book.chat | book.leading_words("hollow")
-    return any(text in hollow or (text.endswith("ly") and len(text) > 5) for text in name)
+    return any(
+        text in hollow
+        or (bool(book.little.how) and text.endswith(book.little.how) and len(text) > 5)
+        for text in name
+    )
 
 
 def _changing(parse: Parse) -> bool:

@@ -85,11 +85,9 @@ def bared(words: Words, book: Phrasebook) -> Iterator[Words]:
             if start < end and (start, end) not in seen:
                 seen.add((start, end))
                 yield words[start:end]
-                if start and words[start - 1].text in _DOING and words[start].text.endswith("ing"):
+                doing = start and words[start - 1].text in book.little["doing"]
+                if doing and words[start].text.endswith(book.little.doing):
                     yield (_base(words[start], book), *words[start + 1 : end])
-
-
-_DOING = frozenset(("mind", "about", "try", "appreciate"))
 
 
 def undressed(words: Words, book: Phrasebook) -> Iterator[Words]:
@@ -102,15 +100,16 @@ def undressed(words: Words, book: Phrasebook) -> Iterator[Words]:
         asked |= {before} & book.addressed
         if asked and words[at].text not in book.polite:
             yield words[at:]
-        if asked and words[at].text.endswith("ing"):
+        if asked and words[at].text.endswith(book.little.doing):
             yield (_base(words[at], book), *words[at + 1 :])
-        if asked and words[at].text in ("let", "go", "do", "try"):
+        if asked and words[at].text in book.little["letting"]:
             yield words[at:]
 
 
 def _base(word: Word, book: Phrasebook) -> Word:
     """Return "move" for "moving", as it follows "would you mind"."""
-    stem = word.text.removesuffix("ing")
+    ending = next(one for one in book.little.doing if word.text.endswith(one))
+    stem = word.text.removesuffix(ending)
     for form in (stem, f"{stem}e", stem[:-1]):
         if form in book.vocabulary:
             return replace(word, text=form)
@@ -122,7 +121,7 @@ def _head(words: Words, book: Phrasebook) -> int:
     for size in range(min(8, len(words) - 1), 0, -1):
         if texts[:size] in book.opening:
             return size
-    if len(words) > 1 and words[1].broken and texts[0] in ("right", "good", "fine", "great"):
+    if len(words) > 1 and words[1].broken and texts[0] in book.little["content"]:
         return 1
     return 0
 

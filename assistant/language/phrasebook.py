@@ -5,10 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import Any, cast
 
-from assistant.errors import BadInput
 from assistant.language.lists import (
     Phrase as Phrase,
 )
@@ -21,6 +19,8 @@ from assistant.language.lists import (
     phrases,
     single,
 )
+from assistant.language.little_words import LANGUAGES as LANGUAGES
+from assistant.language.little_words import LittleWords, folder_of, little_words
 from assistant.language.numbers import NumberWords, number_words
 from assistant.language.templates import (
     Node,
@@ -30,16 +30,16 @@ from assistant.language.templates import (
 )
 from assistant.language.ways_to_say import Sentence as Sentence
 from assistant.language.ways_to_say import needing, sentences_of
+from assistant.language.words import owners
 from assistant.model.feedback import When
 from assistant.plain_yaml import read_file
-
-LANGUAGES = {"english": "english", "en": "english", "german": "german", "de": "german"}
 
 
 @dataclass(frozen=True, eq=False)
 class Phrasebook:
     """All that a language's teachers may say."""
 
+    little: LittleWords
     contractions: Mapping[str, Phrase]
     fillers: frozenset[Phrase]
     vocatives: tuple[frozenset[Phrase], frozenset[Phrase]]
@@ -110,17 +110,13 @@ def phrasebook(language: str = "english") -> Phrasebook:
     BadInput
         If there is no phrasebook of that language.
     """
-    folder = LANGUAGES.get(language.lower())
-    if folder is None:
-        raise BadInput.one("language", f"unknown language {language!r}", "english or german")
-    path = Path(__file__).parent / folder / "hears.yaml"
-    if not path.exists():
-        raise BadInput.one("language", f"{folder} is not understood yet", "english is")
-    classes = cast("dict[str, Any]", read_file(path.with_name("frames.yaml"))[0].value)
-    return _made(cast("dict[str, Any]", read_file(path)[0].value), classes)
+    folder = folder_of(language)
+    classes = cast("dict[str, Any]", read_file(folder / "frames.yaml")[0].value)
+    told = cast("dict[str, Any]", read_file(folder / "hears.yaml")[0].value)
+    return _made(told, classes, little_words(language))
 
 
-def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
+def _made(book: Mapping[str, Any], classes: Mapping[str, Any], little: LittleWords) -> Phrasebook:
     numbers = number_words(book["numbers"])
     readers: dict[str, Reader] = {"n": numbers.number_ends, "nth": numbers.ordinal_ends}
     made: dict[str, Node] = {}
@@ -142,7 +138,8 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     led = (told for name, told in _where(book).items() if name not in _WHERE_WORDS)
     vocabulary |= phrase_words(phrases(",".join(led)))
     return Phrasebook(
-        contractions=_contractions(book, vocabulary),
+        little=little,
+        contractions=_contractions(book, vocabulary) | owners(little),
         fillers=frozenset(phrases(book["fillers"])),
         vocatives=_vocatives(book["vocatives"]),
         opening=frozenset(opening),
@@ -180,12 +177,12 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
         | {f"key_{name}": longest_first(told) for name, told in book["key_states"].items()},
         vocabulary=frozenset(word for word in vocabulary if word.isalpha()),
         again=longest_first(book["again"]),
-        empty=single(classes["empty"]) - _turning(book),
+        empty=single(classes["empty"]) - _turning(book, little),
         stuttered=frozenset(book.get("stuttered", "").split()),
         polite=single(classes["polite"]),
         addressed=single(classes["addressed"]),
         yes=single(classes["classes"]["yes"]),
-        no=single("no, nope, nah, nein"),
+        no=little["no"],
         negating=single(classes["classes"]["no"]),
         impure=single(classes["impure"]),
         wrapping={name: longest_first(told) for name, told in classes["answers"].items()},
@@ -199,15 +196,14 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any]) -> Phrasebook:
     )
 
 
-def _turning(book: Mapping[str, Any]) -> set[str]:
+def _turning(book: Mapping[str, Any], little: LittleWords) -> frozenset[str]:
     """Return the words that say when something holds, or take back what was said."""
     told = [phrases(book["where"][when]) for when in ("during", "before", "after")]
-    weak = {"at", "in", "for", "as", "once"}
-    taken_back = {"sorry", "mean", "meant", "rather", "actually", "instead", "but", "if"}
-    return {phrase[0] for phrases in told for phrase in phrases} - weak | taken_back
+    begun = {phrase[0] for phrases in told for phrase in phrases}
+    return frozenset(begun - little["weak_whens"]) | little["taken_back"]
 
 
-def _contractions(book: Mapping[str, Any], vocabulary: set[str]) -> Mapping[str, Phrase]:
+def _contractions(book: Mapping[str, Any], vocabulary: set[str]) -> dict[str, Phrase]:
     """Return what is spelled otherwise elsewhere, words with dots typed without them as well."""
     told = pairs(book.get("dialect", "") + book["contractions"])
     taken = vocabulary | set(book["real"].split())

@@ -46,21 +46,22 @@ def read_pose(
 ) -> PoseReading | None:
     """Return the place a clause tells; None if it tells none."""
     if not any(char.isdigit() for word in words for char in word) and not any(
-        word in book.numbers.ones or word in book.numbers.tens or word in ("half", "a", "an")
+        word in book.numbers.ones or word in book.numbers.tens or word in book.little["counting"]
         for word in words
     ):
         return None
     body = _body(words, listening, book)
     if body is None and listening.asked != "pose":
         return None
-    if words.count("comma") > 1:
-        broken = [mark or word == "comma" for mark, word in zip(broken, words, strict=True)]
+    comma = book.little["comma"]
+    if sum(word in comma for word in words) > 1:
+        broken = [mark or word in comma for mark, word in zip(broken, words, strict=True)]
     numbers = _numbers(words, broken, book)
     lengths = [one for one in numbers if not one.angular]
     angles = [one for one in numbers if one.angular]
     name = body[0] if body else _only(listening)
     position = _position(lengths)
-    turned = _turned(angles, words)
+    turned = _turned(angles, words, book)
     by = None if position else displacement(words, book)
     if by is None and position is None and (turned is None or body is None):
         return None
@@ -127,9 +128,10 @@ def body_like(name: str, listening: Listening) -> str:
 def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] | None:
     """Return a body nobody spoke of before: "bolt at 400, 150, 90"."""
     places = {word for phrase in book.answer_words["pose_at"] for word in phrase}
-    if words[0] in ("move", "shift", "put", "place", "set", "push", "slide") and len(words) > 2:
-        start = 2 if words[1] in ("the", "a", "my", "our", "that", "this") else 1
-        known = {word for phrase in book.motion for word in phrase} - {"block", "object"}
+    little = book.little
+    if words[0] in little["moving"] and len(words) > 2:
+        start = 2 if words[1] in little["placed_articles"] else 1
+        known = {word for phrase in book.motion for word in phrase} - little["known_bodies"]
         end = next(
             (
                 n
@@ -144,24 +146,22 @@ def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] 
     found = (at for at, word in enumerate(words) if word in places or numbers.number(words, at))
     end = next(found, 0)
     name = _bare(words[:end], book)
-    while len(name) > 1 and name[-1] in _BEHIND_NAME:
+    while len(name) > 1 and name[-1] in little["behind_names"]:
         name = name[:-1]
-    fit = 0 < len(name) <= _LONGEST_NAME and not set(name) & _NO_NAMES
+    fit = 0 < len(name) <= _LONGEST_NAME and not set(name) & little["no_bodies"]
     return (" ".join(name), 0, end) if fit and not any(c.isdigit() for c in "".join(name)) else None
 
 
 _LONGEST_NAME = 4
-_BEHIND_NAME = frozenset(("now", "it", "also", "still", "currently", "in", "has", "been", "moved"))
-_NO_NAMES = frozenset(("it", "this", "that", "i", "you", "we", "no", "yes", "sorry", "x", "its"))
 
 
 def _bare(words: Sequence[str], book: Phrasebook) -> Sequence[str]:
-    return without_article(words, book.numbers.articles)
+    return without_article(words, book.little["determiners"] | book.numbers.articles)
 
 
 def _noun_start(words: Sequence[str], at: int, book: Phrasebook) -> int:
     """Return where a noun phrase with its adjectives begins: after the article."""
-    articles = book.numbers.articles | {"the", "a", "my", "our", "your", "this", "that"}
+    articles = book.numbers.articles | book.little["bodys_articles"]
     for start in range(at - 1, max(at - 4, -1), -1):
         if words[start] in articles:
             return start
@@ -179,9 +179,17 @@ def _numbers(words: Sequence[str], broken: Sequence[bool], book: Phrasebook) -> 
     while at < len(words):
         word = words[at]
         end = next((cut for cut in cuts if cut > at), len(words))
-        quantity = None if word in ("a", "an") else _quantity(words[:end], at, book, len(cuts))
+        quantity = (
+            None
+            if word in book.little["quantity_articles"]
+            else _quantity(words[:end], at, book, len(cuts))
+        )
         if quantity is None:
-            axis = word if word in _AXES or word in _ANGLES else ("" if word == "and" else axis)
+            axis = (
+                word
+                if word in _AXES or word in _ANGLES
+                else ("" if word in book.little["and"] else axis)
+            )
             turned = (turned or word in turning or word in _ANGLES) and word not in _AXES
             at += 1
             continue
@@ -238,7 +246,7 @@ def _unit_mm(quantity: Quantity) -> float:
     return quantity.unit * 1000.0 if quantity.unit else 1.0
 
 
-def _turned(angles: Sequence[_Number], words: Sequence[str]) -> tuple[float, float, float] | None:
+def _turned(angles: Sequence[_Number], words: Sequence[str], book: Phrasebook) -> Triple | None:
     if not angles:
         return None
     if len(angles) == 3 or any(one.before in _ANGLES for one in angles):
@@ -249,7 +257,7 @@ def _turned(angles: Sequence[_Number], words: Sequence[str]) -> tuple[float, flo
         return turned[0], turned[1], turned[2]
     yaw = _clean(angles[0].quantity.value)
     behind = set(words[angles[0].quantity.end :]) | set(words[: angles[0].start][-3:])
-    sign: Literal[1, -1] = -1 if behind & {"right", "clockwise", "rightwards"} else 1
+    sign: Literal[1, -1] = -1 if behind & book.little["rightwards"] else 1
     return 0.0, 0.0, sign * yaw
 
 

@@ -13,6 +13,7 @@ from functools import lru_cache
 from rapidfuzz import process
 from rapidfuzz.distance import OSA
 
+from assistant.language.little_words import LittleWords
 from assistant.language.phrasebook import Phrasebook
 from assistant.language.words import Word, Words
 
@@ -24,7 +25,7 @@ def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
     more = frozenset(part for name in names for part in name.lower().split())
     known = book.vocabulary | more if more else book.vocabulary
     return tuple(
-        Word(_nearest(word.text, known), word.said, word.broken)
+        Word(_nearest(word.text, known, book.little), word.said, word.broken)
         if word.text.isalpha() and word.text not in known and word.text not in book.real
         else word
         for word in words
@@ -33,10 +34,11 @@ def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
 
 def without_slips(words: Words, book: Phrasebook) -> Words:
     """Return the words with slips of little words put right, in names as well."""
-    found = []
+    found, typos = [], book.little.typos
     for at, word in enumerate(words):
-        if word.text in _TYPOS and word.text not in book.vocabulary:
-            right = "step" if _is_step(words, at, book) else _TYPOS[word.text]
+        if word.text in typos and word.text not in book.vocabulary:
+            step = _is_step(words, at, book)
+            right = book.little.first("step") if step else typos[word.text]
             found.append(Word(right, right, word.broken))
         else:
             found.append(_whole(word, book))
@@ -45,7 +47,7 @@ def without_slips(words: Words, book: Phrasebook) -> Words:
 
 def _is_step(words: Words, at: int, book: Phrasebook) -> bool:
     """Tell "stp" beside a count from a hurried "stop": "1st stp", "stp 2"."""
-    if words[at].text != "stp":
+    if words[at].text not in book.little["hurried_step"]:
         return False
     texts = tuple(word.text for word in words)
     before = book.numbers.ordinal(texts, at - 1) if at > 0 else None
@@ -56,21 +58,25 @@ def _is_step(words: Words, at: int, book: Phrasebook) -> bool:
 
 
 def _whole(word: Word, book: Phrasebook) -> Word:
-    """Return "going" for "goin" and "goin'"."""
+    """Return "going" for "goin" and "goin'": a letter that people leave out at the end."""
     stem = word.text.removesuffix("'")
     unknown = stem not in book.vocabulary and stem not in book.real
-    if len(stem) >= _SHORTEST and stem.endswith("in") and unknown and f"{stem}g" in book.vocabulary:
-        return Word(f"{stem}g", word.said, word.broken)
+    if len(stem) < _SHORTEST or not unknown:
+        return word
+    for ending in book.little.doing:
+        whole = f"{stem}{ending[-1]}"
+        if stem.endswith(ending[:-1]) and whole in book.vocabulary:
+            return Word(whole, word.said, word.broken)
     return word
 
 
 @lru_cache(maxsize=4096)
-def _nearest(text: str, known: frozenset[str]) -> str:
+def _nearest(text: str, known: frozenset[str], little: LittleWords) -> str:
     once = _unstretched(text)
     if once in known:
         return once
-    if text in _TYPOS:
-        return _TYPOS[text]
+    if text in little.typos:
+        return little.typos[text]
     if not _VOWELS & set(text) and len(text) >= _SHORTEST - 1:
         whole = _skeletons(known).get(text, ())
         if len(whole) == 1:
@@ -121,24 +127,6 @@ def _single(text: str) -> str:
     return "".join(char for at, char in enumerate(text) if at == 0 or text[at - 1] != char)
 
 
-_TYPOS = {
-    "teh": "the", "wyh": "why", "hwo": "how", "ened": "end", "ned": "end", "cna": "can",
-    "lod": "load", "ordr": "order", "hte": "the", "adn": "and", "nad": "and", "yuo": "you",
-    "ahnd": "hand", "ot": "to", "ti": "it", "si": "is", "fo": "of", "bti": "bit", "stp": "stop",
-    "sto": "stop", "tow": "two", "thw": "the", "nto": "not", "btw": "by", "opn": "open",
-    "cls": "close", "hlp": "help", "mor": "more", "lft": "left", "rgt": "right", "rite": "right",
-    "ok": "ok", "yse": "yes", "eys": "yes", "ye": "yes", "og": "go", "pu": "up", "don": "done",
-    "wy": "why", "whi": "why", "cal": "call", "sve": "save", "sav": "save", "leter": "later",
-    "latr": "later", "les": "less", "mre": "more", "nxt": "next", "splt": "split",
-    "hepl": "help", "dwn": "down", "lats": "last", "hgh": "high", "opne": "open",
-    "colse": "close", "udno": "undo", "rde": "red", "fsat": "fast", "hadn": "hand", "yss": "yes",
-    "moer": "more", "letf": "left", "elft": "left", "rihgt": "right", "bck": "back",
-    "taht": "that", "thsi": "this", "whta": "what", "waht": "what", "wiht": "with",
-    "jsut": "just", "ther": "the", "oen": "one", "tehn": "then", "thne": "then", "ist": "is",
-    "upp": "up", "anf": "and", "ans": "and", "mroe": "more", "ab": "a", "bt": "bit", "kay": "ok",
-}  # fmt: skip
-
-
 def _unstretched(text: str) -> str:
     """Return the word without letters repeated for emphasis: "stoooop"."""
     kept = ""
@@ -157,7 +145,7 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
         whole = "".join(word.text for word in pair)
         meant = ""
         if len(pair) == 2 and whole.isalpha() and not pair[1].broken and len(whole) > _SHORTEST:
-            article = pair[0].text in ("a", "an", "the") and whole not in book.vocabulary
+            article = pair[0].text in book.little["articles"] and whole not in book.vocabulary
             told = all(word.text in book.vocabulary for word in pair)
             plain = told and whole not in book.vocabulary and pair[0].text in book.empty
             meant = "" if article or plain else _sounding(whole, book.vocabulary)

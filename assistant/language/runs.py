@@ -137,7 +137,7 @@ def _trimmed(run: Span, words: Words, known: Frames) -> Span:
 
 def _likeness(words: Words, run: Span, hearing: Hearing, known: Frames) -> int:
     texts = texts_of(words[slice(*run)])
-    if known_name(texts, hearing.listening.subtasks, hearing.book.numbers):
+    if known_name(texts, hearing.listening.subtasks, hearing.book):
         return 3
     if any(text.endswith(known.name_endings) for text in texts if len(text) > 4):
         return 2
@@ -161,4 +161,4 @@ def named_text(words: Words, run: Span, hearing: Hearing) -> str:
         start -= words[start - 1].text in steps
     part = words[start:end]
     names = hearing.listening.subtasks
-    return known_name(texts_of(part), names, numbers) or said(part)
+    return known_name(texts_of(part), names, hearing.book) or said(part)

@@ -7,6 +7,7 @@ from typing import Any
 from assistant.language.cues import counted_cue, surer
 from assistant.language.edges import is_cut_short
 from assistant.language.frames import Span, frames
+from assistant.language.little_words import LittleWords
 from assistant.language.naming import known_name, without_article
 from assistant.language.parsing import DOUBTFUL, LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.phrasebook import Phrase, Sentence
@@ -139,10 +140,10 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     words = _trimmed(words, hearing, new=limit == "new")
     bare = without_article(texts_of(words), _articles(words, hearing))
     part = words[len(words) - len(bare) :]
-    if bare and bare[-1] in ("the", "a", "an", "of", "to", "and"):
+    if bare and bare[-1] in hearing.book.little["no_names_end"]:
         return None, 0.0
     names = () if limit == "new" else hearing.listening.subtasks
-    found = known_name(texts_of(part), names, hearing.book.numbers)
+    found = known_name(texts_of(part), names, hearing.book)
     if found is not None:
         return found, SURE
     if limit == "known" and not _refers(texts_of(part), hearing):
@@ -150,7 +151,11 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
     if _small("persons", hearing) & set(texts_of(part)):
         return said(part), DOUBTFUL
     steps = _small("step_words", hearing)
-    if limit == "known" and not set(texts_of(part)) & steps and not part[0].text.endswith("ing"):
+    if (
+        limit == "known"
+        and not set(texts_of(part)) & steps
+        and not part[0].text.endswith(hearing.book.little.doing)
+    ):
         return said(part), 0.8
     value, trust = _unresolved(part, hearing)
     if any(w.text in hearing.book.impure for w in part) or any(w.broken for w in part[1:]):
@@ -160,8 +165,9 @@ def _name(words: Words, limit: str, hearing: Hearing) -> tuple[str | None, float
 
 def _articles(words: Words, hearing: Hearing) -> frozenset[str]:
     """Return the articles of the language that are no number here: "one step" is counted."""
-    numbers = hearing.book.numbers
-    return frozenset() if numbers.number(texts_of(words), 0) else numbers.articles
+    numbers, determiners = hearing.book.numbers, hearing.book.little["determiners"]
+    counted = numbers.number(texts_of(words), 0)
+    return determiners if counted else determiners | numbers.articles
 
 
 def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
@@ -177,7 +183,9 @@ def _trimmed(words: Words, hearing: Hearing, *, new: bool) -> Words:
     while len(words) > 1 and words[0].text in heads and not counted.number(texts_of(words), 1):
         words = words[1:]
     while len(words) > 1 and words[-1].text in tails:
-        if words[-1].text == "one" and counted.ordinal(texts_of(words), len(words) - 2):
+        if words[-1].text in hearing.book.little["one"] and counted.ordinal(
+            texts_of(words), len(words) - 2
+        ):
             break
         words = words[:-1]
     return words
@@ -195,7 +203,7 @@ def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
     if placed or (numbered and len(texts) == 2):
         return said(part), LIKELY + 0.03
     if texts[0] in steps and len(texts) > 1:
-        part = part[2:] if texts[1] == "of" and len(part) > 2 else part[1:]
+        part = part[2:] if texts[1] in hearing.book.little["of"] and len(part) > 2 else part[1:]
     if counted and counted[1] == len(texts):
         return said(part), DOUBTFUL
     if len(part) > 1 and texts[-1] in steps:
@@ -205,8 +213,10 @@ def _unresolved(part: Words, hearing: Hearing) -> tuple[str, float]:
 
 def _refers(texts: Phrase, hearing: Hearing) -> bool:
     """Tell whether words name a step without any task known: "step two", "moving up"."""
-    counted = hearing.book.numbers.ordinal(texts, 0) is not None and texts[1:] in ((), ("one",))
-    stepping = bool(set(texts) & _small("step_words", hearing)) or texts[0].endswith("ing")
+    little = hearing.book.little
+    alone = len(texts) < 2 or (len(texts) == 2 and texts[1] in little["one"])
+    counted = hearing.book.numbers.ordinal(texts, 0) is not None and alone
+    stepping = bool(set(texts) & _small("step_words", hearing)) or texts[0].endswith(little.doing)
     return counted or stepping or texts[0] in _small("step_verbs", hearing)
 
 
@@ -217,7 +227,8 @@ def _small(name: str, hearing: Hearing) -> frozenset[str]:
 
 
 def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, float]:
-    counted = _first_two(texts_of(words))
+    little = hearing.book.little
+    counted = _first_two(texts_of(words), little)
     if counted is not None:
         found_two = [_name(words_in(one), "", hearing) for one in counted]
         return tuple(str(value) for value, _ in found_two), min(t for _, t in found_two)
@@ -229,7 +240,8 @@ def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, floa
         if word.broken:
             parts.append([])
         parts[-1].append(word)
-    if "two" in texts_of(words) and "the" in texts_of(words) and len(words) <= 3:
+    told = set(texts_of(words))
+    if told & little["two"] and told & little["the"] and len(words) <= 3:
         return None, 0.0
     found = [_name(tuple(part), "", hearing) for part in parts if part]
     values = tuple(value for value, _ in found if value is not None)
@@ -238,13 +250,14 @@ def _names(words: Words, hearing: Hearing) -> tuple[tuple[str, ...] | None, floa
     return _numbered(values, words, hearing), min(trust for _, trust in found)
 
 
-def _first_two(texts: Phrase) -> tuple[str, ...] | None:
+def _first_two(texts: Phrase, little: LittleWords) -> tuple[str, ...] | None:
     """Read "the first two steps" and "steps two and three"."""
-    bare = without_article(texts)
-    if bare[:2] == ("first", "two"):
-        return "first step", "second step"
-    if len(bare) == 4 and bare[0] in ("steps", "subtasks", "parts") and bare[2] in ("and", "or"):
-        return f"step {bare[1]}", f"step {bare[3]}"
+    bare = without_article(texts, little["determiners"])
+    if len(bare) > 1 and bare[0] in little["the_first"] and bare[1] in little["two"]:
+        return little.pair
+    step = little.first("step")
+    if len(bare) == 4 and bare[0] in little["steps"] and bare[2] in little["or"]:
+        return f"{step} {bare[1]}", f"{step} {bare[3]}"
     return None
 
 
@@ -261,7 +274,7 @@ def _numbered(values: tuple[str, ...], words: Words, hearing: Hearing) -> tuple[
         return values
     found: list[str] = []
     for value in values:
-        texts = [t for t in value.split() if t not in ("steps", "step", "subtasks", "parts", "one")]
+        texts = [t for t in value.split() if t not in hearing.book.little["numbered_nouns"]]
         place = (numbers.ordinal(texts, 0) or numbers.number(texts, 0)) if len(texts) == 1 else None
         at = int(place[0]) if place else 0
         found.append(names[at - 1] if 1 <= at <= len(names) else value)

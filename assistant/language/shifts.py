@@ -12,6 +12,7 @@ from assistant.language.naming import without_article
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.poses import PoseReading, body_like, displacement
 from assistant.language.tags import WAYS, tags_of
+from assistant.language.words import OWNER
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import SetPose
 
@@ -23,7 +24,7 @@ def read_shift(words: Sequence[str], listening: Listening, book: Phrasebook) -> 
     """Return by how much a body is told to stand elsewhere; None if nothing of the kind."""
     if "pose_shifted" not in book.answer_words or len(words) < _FEWEST:
         return None
-    words = _parted(words)
+    words = _parted(words, book)
     told = _told(book, "shifted") | _told(book, "resting")
     scene = bool(_told(book, "scene") & set(words))
     if not told & set(words) and not scene:
@@ -43,12 +44,12 @@ def read_shift(words: Sequence[str], listening: Listening, book: Phrasebook) -> 
 _FEWEST = 4
 
 
-def _parted(words: Sequence[str]) -> Sequence[str]:
+def _parted(words: Sequence[str], book: Phrasebook) -> Sequence[str]:
     """Return the words with "plate's" near the front as "plate is"."""
-    at = next((at for at, word in enumerate(words[:LONGEST_BODY]) if word.endswith("'s")), -1)
+    at = next((at for at, word in enumerate(words[:LONGEST_BODY]) if word.endswith(OWNER)), -1)
     if at < 0:
         return words
-    return (*words[:at], words[at].removesuffix("'s"), "is", *words[at + 1 :])
+    return (*words[:at], words[at].removesuffix(OWNER), *book.little["is"], *words[at + 1 :])
 
 
 def _told(book: Phrasebook, name: str) -> frozenset[str]:
@@ -58,7 +59,7 @@ def _told(book: Phrasebook, name: str) -> frozenset[str]:
 def _fronted(words: Sequence[str], book: Phrasebook) -> Phrase | None:
     """Return the body of "the jug has shifted ..." and "the jug, I pushed it ..."."""
     verbs = _told(book, "resting") | _told(book, "shifted") | _told(book, "agents")
-    verbs |= frozenset(("has", "have", "had", "got", "gets", "been", "it", "they"))
+    verbs |= book.little["shifted"]
     end = next((at for at, word in enumerate(words) if word in verbs), 0)
     return _body(words[:end], book)
 
@@ -83,12 +84,12 @@ def _amount(words: Sequence[str], at: int, book: Phrasebook) -> bool:
     """Tell where it begins to be told how far or which way."""
     kind = book.motion.get((words[at],), "")
     quantity = words[at] not in book.numbers.articles and book.numbers.quantity(words, at)
-    return bool(quantity) or kind in WAYS or words[at] in ("by", "to", "towards", "about", "over")
+    return bool(quantity) or kind in WAYS or words[at] in book.little["aimed"]
 
 
 def _body(words: Sequence[str], book: Phrasebook) -> Phrase | None:
     """Return the words as a body's name; None if they can be none, as the hand's own parts."""
-    name = without_article(words, book.numbers.articles)
+    name = without_article(words, book.little["determiners"] | book.numbers.articles)
     while name and name[-1] in _told(book, "lately"):
         name = name[:-1]
     if not 0 < len(name) <= LONGEST_BODY or set(name) & _told(book, "own"):

@@ -67,9 +67,9 @@ def _uncontrasted(words: Words, book: Phrasebook) -> Words:
     """Return "fork" for "fork not knife", "not the knife, the fork", "fork instead of knife"."""
     texts = _texts(words)
     being = book.leading_words("being") | book.leading_words("auxiliaries")
-    if texts[0] == "not":
+    if texts[0] in book.little["not"]:
         cut = next((at for at in range(2, len(words)) if words[at].broken), 0)
-        return words[cut + (texts[cut] == "but") :] if cut else words
+        return words[cut + (texts[cut] in book.little["but"]) :] if cut else words
     for at in range(1, len(words) - 1):
         for phrase in book.wrapping.get("contrasts", ()):
             told = texts[at : at + len(phrase)] == phrase and texts[at - 1] not in being
@@ -88,7 +88,7 @@ def _equated(words: Words, book: Phrasebook) -> Words:
     places = [at for at in range(1, len(words) - 1) if texts[at] in being]
     for at in reversed(places):
         left, right = words[:at], words[at + 1 :]
-        part = _is_part(left, book) or _is_part(_last_clause(left), book)
+        part = _is_part(left, book) or _is_part(_last_clause(left, book), book)
         if part and not _is_part(right, book) and not _hangs(right, book):
             return right
     for at in places:
@@ -125,9 +125,13 @@ def _is_part(words: Words, book: Phrasebook) -> bool:
         return True
     modifiers, nouns = book.leading_words("part_modifiers"), book.leading_words("part_nouns")
     at = 0
-    while at < len(texts) - 1 and texts[at] in modifiers and texts[at + 1] not in ("is", "was"):
+    while (
+        at < len(texts) - 1
+        and texts[at] in modifiers
+        and texts[at + 1] not in book.little["is_or_was"]
+    ):
         at += 1
-    if texts[at] not in nouns or (at == 0 and texts[0] != "one"):
+    if texts[at] not in nouns or (at == 0 and texts[0] not in book.little["one"]):
         return False
     if at + 1 == len(texts) or texts[at + 1] in book.leading_words("part_tails"):
         return True
@@ -147,9 +151,10 @@ def _hangs(words: Words, book: Phrasebook) -> bool:
     return words[0].text in book.leading_words("lacked") | book.leading_words("hanging")
 
 
-def _last_clause(words: Words) -> Words:
+def _last_clause(words: Words, book: Phrasebook) -> Words:
     """Return the clause that leads to "is": behind "and" or a mark and a part of the talk."""
-    cuts = [at + 1 for at in range(1, len(words) - 1) if words[at].text in ("and", "but", "so")]
+    joints = book.little["last_clause"]
+    cuts = [at + 1 for at in range(1, len(words) - 1) if words[at].text in joints]
     return words[max(cuts, default=0) :]
 
 

@@ -15,6 +15,7 @@ from functools import cache
 
 from numpy.random import Generator
 
+from assistant.language.little_words import LittleWords, little_words
 from assistant.language.phrasebook import Phrase, Sentence, phrasebook
 from assistant.language.templates import Choice, Node, Phrases, Slot, has_slot
 from assistant.model.listening import Listening
@@ -22,7 +23,6 @@ from assistant.model.listening import Listening
 MOST_EXAMPLES = 120
 LEAST_LIKENESS = 0.56
 _HIGHEST = 0.8
-_EMPTY = frozenset(("please", "could", "would", "can", "you", "may", "i", "the", "just"))
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ def examples(language: str) -> Examples:
         if has_slot(sentence.nodes) or sentence.act in ("affirm", "deny", "stop"):
             continue
         for n, phrase in enumerate(_expanded(sentence.nodes)):
-            phrase = tuple(map(_stem, phrase))
+            phrase = tuple(_stem(word, language) for word in phrase)
             found.setdefault((frozenset(phrase), sentence.act, str(sentence.slots)), sentence)
             if n >= MOST_EXAMPLES:
                 break
@@ -61,7 +61,8 @@ def likest(
 ) -> tuple[Sentence, float] | None:
     """Return the likest example's sentence and a confidence below any that acts."""
     known = examples(language)
-    said = frozenset(map(_stem, words)) - _EMPTY or frozenset(map(_stem, words))
+    stems = frozenset(_stem(word, language) for word in words)
+    said = stems - little_words(language)["no_content"] or stems
     strange = max(known.weights.values()) * 0.8
     mass = sum(known.weights.get(word, strange) for word in said)
     rare = sorted(said, key=lambda word: len(known.by_word.get(word, ())))
@@ -83,9 +84,9 @@ def likest(
     return best[1], min(_HIGHEST, best[0])
 
 
-def _stem(word: str) -> str:
+def _stem(word: str, language: str) -> str:
     """Return a word without the endings that change nothing here."""
-    for ending in ("ing", "ed", "s"):
+    for ending in little_words(language).likeness:
         if word.endswith(ending) and len(word) - len(ending) >= 3:
             return word.removesuffix(ending)
     return word
@@ -99,29 +100,27 @@ def _expanded(nodes: Sequence[Node]) -> Iterator[Phrase]:
             yield tuple(word for part in (*firsts[:at], way, *firsts[at + 1 :]) for word in part)
 
 
-_NAMES = ("reaching", "moving up", "step two", "pouring", "grasp it", "tea making", "the lid")
-
-
 def spelled_out(language: str, rng: Generator) -> Iterator[tuple[str, Sentence]]:
     """Yield sentences the templates stand for, some names in their slots."""
     for sentence in phrasebook(language).sentences:
-        for n, phrase in enumerate(_expanded(_without_slots(sentence.nodes, rng))):
+        for n, phrase in enumerate(
+            _expanded(_without_slots(sentence.nodes, rng, little_words(language)))
+        ):
             yield " ".join(phrase), sentence
             if n >= MOST_EXAMPLES:
                 break
 
 
-def _without_slots(nodes: Sequence[Node], rng: Generator) -> tuple[Node, ...]:
+def _without_slots(nodes: Sequence[Node], rng: Generator, little: LittleWords) -> tuple[Node, ...]:
     found: list[Node] = []
     for node in nodes:
         if isinstance(node, Slot):
             numbered = node.name in ("n", "nth")
-            told = (
-                {"n": "seven", "nth": "third"}[node.name] if numbered else str(rng.choice(_NAMES))
-            )
+            name = str(rng.choice(little.examples)) if not numbered else ""
+            told = name or little.first(f"example_{node.name}")
             found.extend(told.split())
         elif isinstance(node, Choice):
-            found.append(Choice(tuple(_without_slots(way, rng) for way in node.ways)))
+            found.append(Choice(tuple(_without_slots(way, rng, little) for way in node.ways)))
         else:
             found.append(node)
     return tuple(found)

@@ -50,10 +50,13 @@ def ends(words: Words, at: int, start: int, hearing: Hearing) -> Iterator[int]:
     for end in sorted(range(start + 1, len(words)), key=lambda one: (one in parted, one)):
         if end == last and end in parted:
             continue
-        loose = words[end].text in ("it", "the", "a", "an", "that", "and", "to")
-        amount = words[end].text in ("a", "an") and _moving(texts_of(words[end : end + 2]), hearing)
+        little = hearing.book.little
+        loose = words[end].text in little["loose_ends"]
+        amount = words[end].text in little["quantity_articles"] and _moving(
+            texts_of(words[end : end + 2]), hearing
+        )
         loose = loose and not amount
-        stated = words[end].text in ("it", "that") and _stated_behind(words, end, hearing)
+        stated = words[end].text in little["lately_named"] and _stated_behind(words, end, hearing)
         if stated or not loose:
             yield end
 
@@ -66,7 +69,7 @@ def _parted(words: Words, hearing: Hearing) -> frozenset[int]:
     for at in range(1, len(words)):
         particle = words[at].text in hearing.book.where_words["particles"]
         only_way = kinds[at] in WAYS and not any(kind in WAYS for kind in kinds[at + 1 :])
-        if particle and (words[at - 1].text.endswith("ing") or not only_way):
+        if particle and (words[at - 1].text.endswith(hearing.book.little.doing) or not only_way):
             parted.add(at)
     return frozenset(parted)
 
@@ -75,7 +78,13 @@ def verb_in(place: Words, hearing: Hearing) -> bool:
     """Tell "(in) the swirl", whose verb would else be read as what to do."""
     texts = texts_of(place)
     kind = hearing.book.motion.get(texts[1:], "") if len(texts) == _PAIR else ""
-    return texts[:1] == ("the",) and kind in ("turn", "tilt", "raise", "lower", "move")
+    return bool(set(texts[:1]) & hearing.book.little["the"]) and kind in (
+        "turn",
+        "tilt",
+        "raise",
+        "lower",
+        "move",
+    )
 
 
 def trust_in(texts: Phrase, phrase: Phrase, hearing: Hearing, *, told: bool = False) -> float:
@@ -86,17 +95,19 @@ def trust_in(texts: Phrase, phrase: Phrase, hearing: Hearing, *, told: bool = Fa
     book = hearing.book
     if texts[-1] in book.where_words["no_ends"]:
         return 0.0
-    if texts in (("you",), ("i",), ("we",), ("the",)) or any(t in book.chat for t in texts):
+    if (len(texts) == 1 and texts[0] in book.little["bare_subjects"]) or any(
+        t in book.chat for t in texts
+    ):
         return 0.0
     if any(texts[: len(one)] == one for one, _ in book.whens.get(texts[0], ())):
         return 0.0
-    if _is_amount(texts) or _moving(texts, hearing):
+    if set(texts) <= book.little["no_amounts"] or _moving(texts, hearing):
         return 0.0
-    listed = without_article(texts) in book.where["stepping"]
+    listed = without_article(texts, book.little["determiners"]) in book.where["stepping"]
     told_step = listed or any(
-        t.endswith("ing") and t not in book.where_words["no_steps"] for t in texts
+        t.endswith(book.little.doing) and t not in book.where_words["no_steps"] for t in texts
     )
-    if is_weak(phrase, book) and phrase != ("once",) and not (told_step or told):
+    if is_weak(phrase, book) and not set(phrase) <= book.little["once"] and not (told_step or told):
         odd = [t for t in texts if (t,) not in book.motion and t not in book.empty]
         bodies = {word for one in book.answer_words["pose_bodies"] for word in one} | hearing.names
         named = odd and not bodies & set(texts) and not set(odd) & book.where_words["no_places"]
@@ -116,10 +127,6 @@ def without_noun(words: Words, book: Phrasebook) -> Words:
     return (
         words[:-1] if len(words) > 1 and words[-1].text in book.where_words["step_nouns"] else words
     )
-
-
-def _is_amount(texts: Phrase) -> bool:
-    return all(text in ("it", "that", "this", "once", "least", "all", "now") for text in texts)
 
 
 def place_in(words: Words, hearing: Hearing) -> Words:

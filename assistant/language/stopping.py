@@ -8,143 +8,100 @@ from __future__ import annotations
 
 import re
 import unicodedata
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, cast
 
 from rapidfuzz.distance import OSA
 
-_STOPS = {
-    "english": ("stop", "halt", "freeze", "whoa", "woah", "cease", "abort", "emergency", "stahp"),
-    "german": ("stop", "stopp", "halt", "anhalten", "aufhören", "abbrechen", "notaus", "nothalt"),
-}
-_PHRASES = (
-    "hold it",
-    "do not move",
-    "don't move",
-    "dont move",
-    "hold still",
-    "cut it out",
-    "stand still",
-    "st op",
-    "sto p",
-    "s top",
-    "s t o p",
-    "red light",
-    "not aus",
-)
-# Real words one letter away from a stop word; all else that near is a misspelling.
-_OTHERS = frozenset(
-    [
-        "step",
-        "steps",
-        "stoop",
-        "atop",
-        "top",
-        "tops",
-        "shop",
-        "shops",
-        "slop",
-        "stomp",
-        "strop",
-        "sop",
-        "spot",
-        "stow",
-        "stob",
-        "snop",
-        "salt",
-        "hall",
-        "half",
-        "hale",
-        "hat",
-        "malt",
-        "hilt",
-        "hart",
-        "haunt",
-        "shalt",
-        "alt",
-        "walt",
-        "breeze",
-        "frieze",
-        "freezer",
-        "greeze",
-        "tease",
-        "lease",
-        "crease",
-        "case",
-        "chase",
-        "erase",
-        "ease",
-        "cause",
-        "what",
-        "who",
-        "how",
-        "hoa",
-        "whom",
-        "woe",
-        "boa",
-        "about",
-        "apart",
-        "part",
-        "short",
-        "port",
-        "up",
-        "to",
-        "so",
-        "too",
-        "stub",
-        "stock",
-        "stupor",
-        "store",
-        "stone",
-        "story",
-        "stood",
-        "stoke",
-        "stove",
-        "soup",
-        "scoop",
-        "swoop",
-        "snoop",
-    ]
-)
-# The same in other languages: words that people say of what a hand holds.
-_ALSO_OTHERS = {
-    "german": frozenset(
-        ["hast", "hasst", "halb", "halbe", "hält", "hälst", "holt", "holst", "hole", "hol",
-         "hielt", "hat", "hatte", "hals", "hart", "haut", "haft", "half", "halle", "hall",
-         "halm", "hallo", "hakt", "habt", "harte", "kalt", "alt", "salat", "statt", "stoff",
-         "stopf", "stab", "stoß", "stob", "step", "schalt", "stoppel", "frei", "freie", "fräse",
-         "freue", "notiz", "abbiegen", "abbringen"]
-    )
-}  # fmt: skip
-# Verbs and things that only contain the word: "behalte das", "die Schalter", "der Inhalt".
-_WITHIN = {"german": re.compile("(be|ent|er|in|aus|ge|ver|unter|haus|auf|sc|vor)halt")}
+from assistant.language.lists import listed
+from assistant.language.little_words import folder_of
+from assistant.plain_yaml import read_file
+
 _WORDS = re.compile(r"[^\W\d_]+")
+COMMON = "english"
+"""The language whose stop words hold beside those of every other."""
 
 
-def has_stop_word(text: str, language: str = "english") -> bool:
+@dataclass(frozen=True, eq=False)
+class StopWords:
+    """What stops the arm in a language.
+
+    Parameters
+    ----------
+    stops, within, phrases : tuple of str
+        Words, parts of words, and stretches of text that stop.
+    ending : str
+        Taken off before parts are looked for: a holder does not halt.
+    others : frozenset of str
+        Real words one letter away from a stop word.
+    containing : tuple of str
+        Beginnings of words that only contain one.
+    """
+
+    stops: tuple[str, ...]
+    within: tuple[str, ...]
+    ending: str
+    phrases: tuple[str, ...]
+    others: frozenset[str]
+    containing: tuple[str, ...]
+
+
+@cache
+def stop_words(language: str) -> StopWords:
+    """Return what stops the arm: the words of a language and those that hold everywhere."""
+    told = [_told(name) for name in dict.fromkeys((folder_of(language).name, COMMON))]
+
+    def all_of(key: str) -> tuple[str, ...]:
+        return tuple(one for page in told for one in listed(page[key]))
+
+    return StopWords(
+        stops=all_of("stops"),
+        within=all_of("within"),
+        ending=next(one for one in all_of("ending")),
+        phrases=all_of("phrases"),
+        others=frozenset(all_of("others")),
+        containing=all_of("containing"),
+    )
+
+
+def _told(language: str) -> dict[str, Any]:
+    page = folder_of(language) / "stop_words.yaml"
+    return cast("dict[str, Any]", read_file(page)[0].value)
+
+
+def has_stop_word(text: str, language: str = COMMON) -> bool:
     """Tell whether raw input holds a stop word, however it is spelled or meant."""
+    known = stop_words(language)
     plain = unicodedata.normalize("NFKC", text).lower().replace("\u2019", "'")
     plain = re.sub(r"(?<=[^\W\d_])0(?=[^\W\d_])", "o", plain)
-    if any(phrase in " ".join(plain.split()) for phrase in _PHRASES):
+    together = " ".join(plain.split())
+    if any(phrase in together for phrase in known.phrases):
         return True
-    stops = _STOPS.get(language, ()) + _STOPS["english"]
-    return any(_is_stop(word, stops, language) for word in _WORDS.findall(plain))
+    return any(_is_stop(word, known) for word in _WORDS.findall(plain))
 
 
-def _is_stop(word: str, stops: tuple[str, ...], language: str) -> bool:
-    within = _WITHIN.get(language)
-    if within is not None and within.match(word):
+def _is_stop(word: str, known: StopWords) -> bool:
+    if known.containing and word.startswith(known.containing):
         return False
-    if "stop" in word or "halt" in word.removesuffix("er") or word in stops:
+    stem = word.removesuffix(known.ending)
+    if any(part in stem for part in known.within) or word in known.stops:
         return True
-    if word in _OTHERS or word in _ALSO_OTHERS.get(language, ()):
+    if word in known.others:
         return False
-    once = re.sub(r"(.)\1+", r"\1", word)
+    once = _once(word)
     return any(
-        once == re.sub(r"(.)\1+", r"\1", stop)
+        once == _once(stop)
         or (len(word) >= 3 and word[0] == stop[0] and OSA.distance(word, stop) <= 1)
         or (
             len(word) == len(stop)
             and sorted(word) == sorted(stop)
             and OSA.distance(word, stop) <= 2
         )
-        for stop in stops
+        for stop in known.stops
     )
+
+
+def _once(word: str) -> str:
+    """Return a word with repeated letters once: "stoooop"."""
+    return re.sub(r"(.)\1+", r"\1", word)

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+from assistant.language.little_words import LittleWords
 from assistant.language.numbers import Quantity
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.model.teacher_acts import Degree
@@ -34,7 +35,6 @@ WAYS = {
     "retreat": "backward",
 }
 PACES = {"faster": "faster", "fast": "faster", "slower": "slower", "slow": "slower"}
-JOINTS = frozenset(("and", "but", "then", "und", "aber", "dann"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +65,9 @@ def _tags(words: Phrase, book: Phrasebook, names: frozenset[str]) -> tuple[Tag, 
         elif phrase is not None:
             at += len(phrase)
             # Behind all else "too" means also, and German "zu" shuts the hand.
-            alone = book.motion[phrase] == "too" and (not words[at:] or words[at] in JOINTS)
+            alone = book.motion[phrase] == "too" and (
+                not words[at:] or words[at] in book.little["joints"]
+            )
             found.append(Tag("other" if alone else book.motion[phrase], None, phrase))
         else:
             kind = "skip" if words[at] in names else "other"
@@ -88,7 +90,7 @@ def flipped(tags: Sequence[Tag]) -> bool:
     return "too" in kinds or "not" in kinds or "less" in kinds
 
 
-def degree(tags: Sequence[Tag]) -> Degree | None:
+def degree(tags: Sequence[Tag], little: LittleWords) -> Degree | None:
     """Return little or much; "too far" and "not so much" only name the direction."""
     found: list[str] = []
     for at, tag in enumerate(tags):
@@ -97,7 +99,8 @@ def degree(tags: Sequence[Tag]) -> Degree | None:
         before = tags[at - 1].kind if at else ""
         if tag.kind == "much" and before in ("too", "so", "enough"):
             continue
-        if tag.words == ("far",) or (tag.words == ("well",) and before):
+        alone = tag.words[0] if len(tag.words) == 1 else ""
+        if alone in little["far"] or (alone in little["well"] and before):
             behind = tags[at + 1].kind if at + 1 < len(tags) else ""
             if behind != "too":
                 continue
@@ -109,4 +112,4 @@ def degree(tags: Sequence[Tag]) -> Degree | None:
 
 def degree_of(words: Sequence[str], book: Phrasebook) -> Degree | None:
     """Return little or much, wherever it stands."""
-    return degree(tags_of(words, book, frozenset()))
+    return degree(tags_of(words, book, frozenset()), book.little)

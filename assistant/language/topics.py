@@ -56,7 +56,7 @@ def topical(words: Words, hearing: Hearing) -> Parse | None:
     if known is None or len(words) < 3:
         return None
     best: Parse | None = None
-    for line in (*_led_to(words, known), *_put_in(words, known, hearing)):
+    for line in (*_led_to(words, known, hearing), *_put_in(words, known, hearing)):
         found = clause(line, hearing)
         if found is None or found.score < _LEAST or not _is_told(found.acts):
             continue
@@ -90,12 +90,12 @@ def _is_told(acts: tuple[TeacherAct, ...]) -> bool:
     return len(acts) == 1 and isinstance(acts[0], STRUCTURE) and acts[0] != Unordered()
 
 
-def _led_to(words: Words, known: Frames) -> Iterator[Words]:
+def _led_to(words: Words, known: Frames, hearing: Hearing) -> Iterator[Words]:
     """Yield what follows "I must insist that" and "what I say is that"."""
     texts = texts_of(words)
     leading = known.small("saying") | known.small("stating")
     for at in range(2, min(len(words) - 2, 12)):
-        if texts[at] == "that" and set(texts[:at]) & leading:
+        if texts[at] in hearing.book.little["that"] and set(texts[:at]) & leading:
             yield words[at + 1 :]
         if words[at].broken and texts[at] in known.small("requests"):
             yield words[at:]

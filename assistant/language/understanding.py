@@ -142,8 +142,8 @@ def _meaning(words: Words, hearing: Hearing) -> Parse:
     parse = plain_answer(words, parse, hearing)
     named = _named_part(words, hearing)
     moving = parse is not None and isinstance(parse.acts[0], MOTION)
-    amount = {"bit", "little", "more", "much", "lot", "less", "slower", "faster"}
-    if moving and parse is not None and amount & set(texts_of(words)):
+    amount = hearing.book.little["amounts"] & set(texts_of(words))
+    if moving and parse is not None and amount:
         return parse
     if named is not None and (named.score >= SURE or moving):
         return named
@@ -158,13 +158,14 @@ def _named_part(words: Words, hearing: Hearing) -> Parse | None:
     """Return the step named in answer to whether some may be skipped."""
     if hearing.listening.asked != "optional":
         return None
-    bare = tuple(w for w in trimmed(words, hearing.book) if w.text not in ("only", "just", "yes"))
+    little = hearing.book.little
+    bare = tuple(w for w in trimmed(words, hearing.book) if w.text not in little["only"])
     if not bare or len(bare) > 6:
         return None
-    found = known_name(texts_of(bare), hearing.listening.subtasks, hearing.book.numbers)
+    found = known_name(texts_of(bare), hearing.listening.subtasks, hearing.book)
     if found is not None:
         return Parse((Optional(found),), SURE)
     if set(texts_of(bare)) & hearing.book.impure:
         return None
-    text = " ".join(w.said for w in bare if w.said and w.text not in ("the", "a"))
+    text = " ".join(w.said for w in bare if w.said and w.text not in little["articles"])
     return Parse((Optional(text),), 0.7) if text else None

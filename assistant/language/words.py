@@ -10,75 +10,18 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from assistant.language.little_words import LittleWords
+
 _PIECES = re.compile(
     r"[+-]?\d+(?:[.,]\d+)?(?:st|nd|rd|th)\b|(?<![\w.])[+-]?(?:\d+(?:\.\d+)?|\.\d+)(?=[^\d]|$)"
     r"|\d+|[^\W\d_]\w*(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|w/o?\b|[,;:.!?()/=]|-"
 )
 _BREAKS = frozenset(",;:.!?()/=-")
-_SIGNS = {"%": "percent", "°": "degrees", '"': "inches", "½": "0.5", "¼": "0.25", "¾": "0.75"}
+_SHARE_SIGNS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
     (0x2018, 0x2019, 0xB4, 0x60), "'"
 )
-# What follows "is" rather than an owner: "the job's called", "the block's too high"; what
-# follows the owner after the name of a step: "pouring's end".
-_AFTER_IS = frozenset(
-    [
-        "called",
-        "named",
-        "the",
-        "a",
-        "an",
-        "too",
-        "not",
-        "in",
-        "on",
-        "at",
-        "about",
-        "to",
-        "just",
-        "still",
-        "now",
-        "done",
-        "over",
-        "moving",
-        "going",
-        "gotta",
-        "got",
-        "have",
-        "has",
-        "always",
-        "never",
-        "optional",
-        "required",
-        "way",
-        "really",
-        "so",
-        "gone",
-        "been",
-        "ended",
-        "finished",
-        "full",
-        "empty",
-        "open",
-        "closed",
-        "ready",
-        "tight",
-        "loose",
-        "here",
-        "there",
-        "held",
-        "gripped",
-        "touching",
-        "holding",
-        "upright",
-        "stuck",
-        "shut",
-        "clear",
-    ]
-)
-_OWNED = frozenset(
-    ["end", "ending", "cut", "name", "finish", "boundary", "start", "beginning", "goal"]
-)
+OWNER = "'s"
 MOST_CHARACTERS = 2000
 
 
@@ -154,15 +97,15 @@ def _separated(text: str) -> str:
 
 
 def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Word]:
-    if piece in _SIGNS:
-        return [Word(_SIGNS[piece], piece)]
+    if piece in _SHARE_SIGNS:
+        return [Word(_SHARE_SIGNS[piece], piece)]
     if piece in contractions:
         first, *rest = contractions[piece]
         return [Word(first, piece), *(Word(one, "") for one in rest)]
-    for ending in ("n't", "'m", "'re", "'ve", "'ll", "'em", "'s"):
-        if piece.endswith(ending) and len(piece) > len(ending) and ending in contractions:
-            stem = piece[: -len(ending)]
-            return [Word(stem, piece), *(Word(one, "") for one in contractions[ending])]
+    mark = piece.rfind("'")
+    for cut in (mark - 1, mark) if mark > 0 else ():
+        if cut > 0 and piece[cut:] in contractions:
+            return [Word(piece[:cut], piece), *(Word(one, "") for one in contractions[piece[cut:]])]
     return [Word(piece, piece)] if piece else []
 
 
@@ -171,10 +114,11 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     found: list[Word] = []
     for word in words:
         pair = f"{found[-1].text} {word.text}" if found and not word.broken else ""
-        if found and found[-1].text.endswith("'s") and _is_behind(found[-1], word):
-            stem = found[-1].text.removesuffix("'s")
-            told = found[-1].said.removesuffix("'s")
-            found[-1:] = [Word(stem, told, found[-1].broken), Word("is", "'s")]
+        owner = found[-1] if found and found[-1].text.endswith(OWNER) else None
+        being = _being(owner, word, contractions) if owner else ""
+        if owner and being:
+            stem, told = owner.text.removesuffix(OWNER), owner.said.removesuffix(OWNER)
+            found[-1:] = [Word(stem, told, owner.broken), Word(being, OWNER)]
         if pair in contractions:
             first, *rest = contractions[pair]
             together = f"{found[-1].said} {word.said}"
@@ -185,9 +129,27 @@ def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]])
     return tuple(found)
 
 
-def _is_behind(owner: Word, word: Word) -> bool:
-    step = owner.text.endswith("ing's") and word.text not in _OWNED
-    return step or word.text in _AFTER_IS
+def _being(owner: Word, word: Word, contractions: Mapping[str, tuple[str, ...]]) -> str:
+    """Return the "is" of "the job's called" and "pouring's done"; empty where "'s" owns."""
+    told = contractions.get(f"{OWNER} {word.text}")
+    ending = f"{owner.text.removesuffix(OWNER)[-_ENDING:]} {OWNER}"
+    if told is None and f"{ending} {word.text}" not in contractions:
+        told = contractions.get(ending)
+    return told[0] if told else ""
+
+
+_ENDING = 3
+"""Letters at the end of a word that names what is done: "pouring"."""
+
+
+def owners(little: LittleWords) -> dict[str, tuple[str, ...]]:
+    """Return what is read behind an owner's mark, as contractions: "'s called" is "is called"."""
+    being = tuple(little["is"])
+    found: dict[str, tuple[str, ...]] = {f"{OWNER} {one}": being for one in little["behind_is"]}
+    for ending in little.doing if being else ():
+        found[f"{ending} {OWNER}"] = being
+        found |= {f"{ending} {OWNER} {one}": () for one in little["owned"]}
+    return found
 
 
 def said(words: Sequence[Word]) -> str:
