@@ -16,6 +16,7 @@ from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewin
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.actions import read_action
+from assistant.learning.apart import set_apart
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson, Question
 from assistant.model.robot_acts import About, RobotAct
@@ -167,7 +168,8 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
     if head.asked != "missing_step":
         return tell(dialogue, line("error", "not_now"))
     if head.reason == "never_introduced":
-        return _introduced_late(dialogue, value, float(str(head.facts.get("from_s", 0.0))))
+        from_s, to_s = (float(str(head.facts.get(key, 0.0))) for key in ("from_s", "to_s"))
+        return _introduced_late(dialogue, value, from_s, to_s)
     if is_no_step(value, dialogue.language):
         return next_question(dialogue, state)
     nodes = [part.primitive for part in _episodes(dialogue) if part.primitive]
@@ -182,21 +184,20 @@ def _show_again(dialogue: Dialogue, name: str) -> Turn:
     return tell(waiting, line("told", "needs_demonstration", name=name))
 
 
-def _introduced_late(dialogue: Dialogue, name: str, from_s: float) -> Turn:
+def _introduced_late(dialogue: Dialogue, name: str, from_s: float, to_s: float) -> Turn:
     """Take the name of a step that was shown but not introduced, and learn with it."""
     known, lesson = dialogue.known, dialogue.known.lesson
     if lesson is None or alike(name, names(known.root)):
         return tell(dialogue, line("error", "name_taken", name=name))
-    episodes = lesson.segmentation.episodes
-    number = min(range(len(episodes)), key=lambda at: abs(episodes[at].from_s - from_s))
-    before = episodes[number - 1].primitive if number else None
-    after = index_of(known, before) if before else ()
+    cuts_s, taken = set_apart(lesson.segmentation.episodes, name, from_s, to_s)
+    number = taken.index(name) if name in taken else 0
+    after = index_of(known, taken[number - 1]) if number else ()
     parent, position = (after[:-1], after[-1] + 1) if after else ((), 1)
     # It was seen as one motion; without a word for it, it is done as shown.
     action = read_action(name, known.objects or (), known.language).action or Action("free", name)
     root = inserted(known.root, parent, position, Sketch(name, True, action=action))
-    assigned = tuple(sorted({**dict(_as_assigned(lesson)), number + 1: name}.items()))
-    more = replace(known, root=root, cuts_s=_boundaries(lesson), assigned=assigned)
+    assigned = tuple((part, told) for part, told in enumerate(taken, start=1) if told)
+    more = replace(known, root=root, cuts_s=cuts_s, assigned=assigned)
     added = changed(dialogue, "added", with_roles(more))
     return first(say(added, line("done", "added", name=name))[1], learn(added))
 

@@ -197,7 +197,8 @@ def _events(
         if kind in told:
             score -= 0.5 * given.event * between.at_end[kind]
         elif kind == ends and leaf.action.way not in ("depart", "up"):
-            score += 0.5 * given.event * between.at_end[kind]
+            # Who tells what the hand does at one thing tells it at the others, too.
+            score += (-0.5 if told else 0.5) * given.event * between.at_end[kind]
     return score
 
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.learning.decoding import Lattice, Reading, log_sum
+from assistant.learning.decoding import Lattice, Reading, backward, forward, log_sum
 
 
 def cut_shares(
@@ -64,3 +64,14 @@ def whole_evidence(
         spent = np.where(later, spent, -np.inf)
         ahead = log_sum(ahead[:, None] + spent, 0) + lattice.cuts[after]
     return float(log_sum(ahead, 0) + np.sum(lattice.skips[done:]))
+
+
+def unnamed_chances(lattice: Lattice) -> Array:
+    """Return how likely a step nobody introduced spans from one instant to another, shape (n, n).
+
+    The sum is how many such steps are to be expected.
+    """
+    ahead, skipped = forward(lattice)
+    onward = backward(lattice) + lattice.cuts[:, None] - skipped[-1, -1]
+    spent = ahead[:, None] + lattice.unnamed[:, :, None] + onward
+    return np.asarray(np.triu(np.sum(np.exp(np.minimum(spent, 0.0)), axis=2), 1))

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from assistant.learning.candidates import Evidence
+from assistant.learning.character import character
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode, Question, SegmentationPoint
 from assistant.model.task import Primitive, Task, primitives
@@ -24,6 +25,9 @@ LEFT_OUT = 0.2
 What was introduced is seldom left out; but who forgets a step has to be told.
 """
 
+UNHEARD = 0.1
+"""If so many steps that nobody introduced are to be expected, the likeliest is asked about."""
+
 DOUBTED = "doubtfully_shown"
 """Why a step is asked about that a part is assigned to: it may never have been shown."""
 
@@ -36,6 +40,7 @@ def questions(
     episodes: tuple[Episode, ...],
     all_right: float = 1.0,
     left_out: Mapping[str, float] = MappingProxyType({}),
+    unheard: tuple[float, float, float] = (0.0, 0.0, 0.0),
 ) -> tuple[Question, ...]:
     """Return the questions in the order in which they should be asked.
 
@@ -50,6 +55,9 @@ def questions(
         Probability that all cuts are right.
     left_out : mapping of str to float
         Probabilities that primitives were never shown, though episodes are assigned to them.
+    unheard : (float, float, float)
+        From when to when, in s, a step nobody introduced was likeliest, and how many such steps
+        are to be expected, though every episode is assigned to a primitive.
     """
     leaves = primitives(task.tree)
     seen = {episode.primitive for episode in episodes}
@@ -65,15 +73,17 @@ def questions(
         for e in episodes
         if e.primitive in doubted
     ]
+    unnamed = [(e.from_s, e.to_s, e.character) for e in episodes if e.primitive is None]
+    if not unnamed and unheard[2] > UNHEARD:
+        unnamed = [(*unheard[:2], character(evidence.smoothed, *unheard[:2]))]
     found += [
         _ask(
             "missing_step",
             "",
             "never_introduced",
-            {**counts, "from_s": e.from_s, "to_s": e.to_s, "character": e.character},
+            {**counts, "from_s": from_s, "to_s": to_s, "character": told},
         )
-        for e in episodes
-        if e.primitive is None
+        for from_s, to_s, told in unnamed
     ]
     if all_right < UNSURE:
         found += _unsure(points, episodes)

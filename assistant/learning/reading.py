@@ -13,7 +13,7 @@ from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined
 from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.introduction import orders, other_orders
 from assistant.learning.passing import passed
-from assistant.learning.posterior import cut_shares, whole_evidence
+from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
 from assistant.learning.scoring import heard_lattice, motion_lattice, reordered, told_lattice
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import SegmentationSettings
@@ -76,6 +76,17 @@ class Understood:
             leaf: float(np.clip(1.0 - chance, 0.0, 1.0))
             for leaf, chance in zip(self.order, shown, strict=True)
         }
+
+    def unheard(self) -> tuple[float, float, float]:
+        """Return from when to when a step nobody introduced was likeliest, and whether any was.
+
+        Seconds, and how many such steps are to be expected; nothing where nothing was decoded.
+        """
+        if self.lattice is None:
+            return 0.0, 0.0, 0.0
+        chances = unnamed_chances(self.lattice)
+        first, last = np.unravel_index(int(np.argmax(chances)), chances.shape)
+        return float(self.at_s[first]), float(self.at_s[last]), float(np.sum(chances))
 
 
 def read(

@@ -86,6 +86,20 @@ def test_a_step_nobody_introduced_gets_a_name_and_its_own_part() -> None:
     assert leaves.index("shake it") == 2
 
 
+def test_a_step_taken_for_part_of_another_is_cut_out_of_it() -> None:
+    """The hand goes up from 6 to 8 s; a step that nobody introduced may be the end of that."""
+    plain = Lessons().learned().dialogue.known.lesson
+    assert plain is not None
+    part = plain.segmentation.episodes[2]
+    facts = {"from_s": part.from_s + 1.0, "to_s": part.to_s}
+    teacher = Lessons().learned(Question("missing_step", "", "never_introduced", facts))
+    teacher.tell("shake it")
+    learn = next(one for one in teacher.effects if isinstance(one, fx.Learn))
+    assert part.from_s + 1.0 in (learn.cuts_s or ())
+    assert dict(learn.assigned)[3] == part.primitive
+    assert dict(learn.assigned)[4] == "shake it"
+
+
 def test_the_demonstration_can_be_seen_again() -> None:
     teacher = Lessons().learned().hear(acts.Show("trajectory"))
     assert teacher.asked == "ready"

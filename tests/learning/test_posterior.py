@@ -7,7 +7,7 @@ import pytest
 
 from assistant.geometry import Array
 from assistant.learning.decoding import Lattice, decode
-from assistant.learning.posterior import cut_shares, whole_evidence
+from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
 
 AT_S = np.array([0.0, 1.0, 1.2, 2.5, 4.0])
 
@@ -85,3 +85,21 @@ def test_shares_of_cuts_are_sums_over_readings(seed: int) -> None:
         if at == 0 and end in (1, 2)
     ]
     assert share == pytest.approx(np.exp(total(ends) - whole))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_chances_of_steps_nobody_introduced_are_sums_over_readings(seed: int) -> None:
+    given = lattice(seed)
+    best, every = decode(given), readings(given)
+    whole = total([score for _, _, score in every])
+    told = unnamed_chances(given)
+    for span in combinations(range(len(AT_S)), 2):
+        free = [
+            score
+            for nodes, taken, score in every
+            if (span, None) in zip(pairwise(nodes), taken, strict=True)
+        ]
+        assert told[span] == pytest.approx(np.exp(total(free) - whole))
+    # Whatever ends at an instant is a step introduced, or none.
+    ends = np.sum(told, axis=0)[1:] + np.sum(best.step_chances, axis=1)[1:]
+    assert ends == pytest.approx(best.cut_chances[1:])

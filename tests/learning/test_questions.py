@@ -6,7 +6,7 @@ from types import MappingProxyType
 import numpy as np
 
 from assistant.learning.candidates import Evidence, gather
-from assistant.learning.questions import DOUBTED, UNSURE, questions
+from assistant.learning.questions import DOUBTED, UNHEARD, UNSURE, questions
 from assistant.learning.smoothing import smooth
 from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import Episode, Question, SegmentationPoint
@@ -107,3 +107,16 @@ def test_what_a_part_is_assigned_to_is_never_said_not_to_be_found() -> None:
     found = questions(TASK, shown, evidence, (), (FIRST,), 1.0, {"go up": 0.5, "go left": 1.0})
     assert [(q.reason, q.about) for q in found] == [("never_shown", "go left"), (DOUBTED, "go up")]
     assert (found[0].facts["introduced"], found[0].facts["shown"]) == (3, 1)
+
+
+def test_a_step_nobody_introduced_is_asked_about_though_all_was_taken_for_others() -> None:
+    shown, evidence = given()
+
+    def named(unheard: tuple[float, float, float]) -> list[tuple[object, object]]:
+        parts = (FIRST, SECOND)
+        found = questions(TASK, shown, evidence, (cut(0.99),), parts, unheard=unheard)
+        assert {one.reason for one in found} <= {"never_introduced"}
+        return [(one.facts["from_s"], one.facts["to_s"]) for one in found]
+
+    assert named((0.0, 0.6, UNHEARD + 0.1)) == [(0.0, 0.6)]
+    assert named((0.0, 0.6, UNHEARD - 0.05)) == []
