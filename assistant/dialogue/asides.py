@@ -11,7 +11,9 @@ from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.naming import listed_steps, tidy_name
+from assistant.dialogue.plan_words import added, called, order_freed
 from assistant.dialogue.replying import in_state
+from assistant.dialogue.several import told_several
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
 from assistant.dialogue.state import (
@@ -46,7 +48,7 @@ def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) ->
     if dialogue.busy or isinstance(dialogue.state, Opening | Closed | Watching | Thinking):
         return None
     calm = replace(dialogue, misses=0)
-    for reply in (_person, _courtesy, plan_corrected, slip, _late, _standing, _puzzled, _fresh):
+    for reply in _REPLIES:
         turn = reply(calm, words, tuple(meant))
         if turn is not None:
             return turn
@@ -185,3 +187,19 @@ def _fresh(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...])
 def _asks(dialogue: Dialogue, asked: str) -> bool:
     state = dialogue.state
     return isinstance(state, Introducing) and state.asked == asked and dialogue.pending is None
+
+
+_REPLIES = (
+    _person,
+    _courtesy,
+    plan_corrected,
+    called,
+    added,
+    order_freed,
+    told_several,
+    slip,
+    _late,
+    _standing,
+    _puzzled,
+    _fresh,
+)

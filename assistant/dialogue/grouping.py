@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 from assistant.dialogue.asking import tell
@@ -16,9 +17,10 @@ from assistant.dialogue.sketch import (
 )
 from assistant.dialogue.state import Dialogue, Pending
 from assistant.dialogue.turn import Turn, changed, line
+from assistant.language.hints import hints
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
-from assistant.model.task import Action
+from assistant.model.task import Action, Index
 
 
 def unordered(dialogue: Dialogue, named: tuple[str, ...]) -> Turn:
@@ -35,10 +37,33 @@ def unordered(dialogue: Dialogue, named: tuple[str, ...]) -> Turn:
     node = at(known.root, parent)
     if not node.parts:
         return tell(dialogue, line("error", "no_parts", name=node.name))
-    root = put(known.root, parent, replace(node, order="any"))
     parts = [part.name for part in node.parts]
+    if 1 < len(set(found)) < len(parts) and node.order != "any":
+        return _some_unordered(dialogue, parent, sorted(index[-1] for index in set(found)))
+    root = put(known.root, parent, replace(node, order="any"))
     told = line("done", "unordered", names=parts, name=node.name or known.name)
     return edited(dialogue, "unordered", root, told)
+
+
+def _some_unordered(dialogue: Dialogue, parent: Index, spots: list[int]) -> Turn:
+    """Put some parts of a node that follow each other below one of their own, in any order."""
+    known = dialogue.known
+    node = at(known.root, parent)
+    parts = [node.parts[spot - 1] for spot in spots]
+    names = [part.name for part in parts]
+    if spots != list(range(spots[0], spots[0] + len(spots))):
+        return tell(dialogue, line("error", "not_siblings", names=names))
+    name = joined_name(names, dialogue.language)
+    group = Sketch(name, False, tuple(parts), order="any")
+    left = (*node.parts[: spots[0] - 1], group, *node.parts[spots[-1] :])
+    root = put(known.root, parent, with_parts(node, left))
+    return edited(dialogue, "unordered", root, line("done", "unordered", names=names, name=name))
+
+
+def joined_name(names: Sequence[str], language: str) -> str:
+    """Return one name for steps that belong together."""
+    joint: str = hints("joins", language)[0]
+    return joint.join(names)
 
 
 def ordered(dialogue: Dialogue, one: str, other: str) -> Turn:
@@ -85,15 +110,15 @@ def merge(dialogue: Dialogue, named: tuple[str, ...]) -> Turn:
         return tell(dialogue, line("error", "not_siblings", names=list(named)))
     node = at(known.root, parent)
     parts = node.parts[spots[0] - 1 : spots[-1]]
-    one = _joined(parts)
+    one = _joined(parts, dialogue.language)
     left = (*node.parts[: spots[0] - 1], one, *node.parts[spots[-1] :])
     root = put(known.root, parent, with_parts(node, left))
     told = line("done", "merged", names=[part.name for part in parts], name=one.name)
     return edited(dialogue, "merged", root, told)
 
 
-def _joined(parts: tuple[Sketch, ...]) -> Sketch:
-    name = " and ".join(part.name for part in parts)
+def _joined(parts: tuple[Sketch, ...], language: str) -> Sketch:
+    name = joined_name([part.name for part in parts], language)
     if any(part.parts for part in parts):
         inner = tuple(piece for part in parts for piece in (part.parts or (part,)))
         return Sketch(name, False, inner)

@@ -132,7 +132,10 @@ def _read_back(known: Knowledge) -> dict[str, object]:
 def understood(known: Knowledge, index: Index) -> Knowledge:
     """Return what is known after taking from a node's name the action it plainly tells."""
     node = at(known.root, index)
-    reading = read_action(node.name, known.objects or (), known.language)
+    if known.objects is None:
+        # "grasp the block" is read once it is known that there is a block.
+        return known
+    reading = read_action(node.name, known.objects, known.language)
     if node.single is None and not reading.sure:
         return known
     if node.single is False or node.action is not None or reading.action is None:

@@ -67,7 +67,11 @@ def steps_in(value: Value, room: int, language: str = "english") -> tuple[str, .
     if room > 1:
         # "pick it up, move it over and put it down": the last "and" joins a list.
         parted = [part for piece in pieces for part in _split(piece, joins)]
-        plain = all(len(part.split()) > 1 for part in parted)
+        # "go down and let go" is two steps; "pick and place" is one name.
+        long = [part for part in parted if len(part.split()) > 1]
+        plain = bool(long) and all(
+            part in long or begins_or_ends_with_verb(part, language) for part in parted
+        )
         if len(parted) > len(pieces) and (len(parted) == room or len(pieces) > 1) and plain:
             pieces = parted
         elif len(pieces) == 1:

@@ -46,7 +46,9 @@ def told_steps(
     if not isinstance(state, Introducing) or state.named:
         return ()
     answering = all(
-        isinstance(act, acts.Inform | acts.Unknown | acts.AddSubtask | acts.Translate)
+        isinstance(
+            act, acts.Inform | acts.Unknown | acts.AddSubtask | acts.Translate | acts.Gripper
+        )
         for act in meant
     )
     if not answering or state.asked not in ("subtask_count", "subtask_name"):

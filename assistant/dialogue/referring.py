@@ -7,11 +7,12 @@ from functools import cache
 
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Watching
-from assistant.language.hints import hints
+from assistant.language.hints import hints, mentions
 from assistant.model.task import Index
 
 NAMING = ("task_name", "goal", "subtask_count", "subtask_name", "objects", "actions")
-"""Questions whose answers are new names: there a number refers to nothing."""
+"""Questions whose answers are new names: there a number refers to nothing, unless the words
+change the plan: "the second step is called fetch it"."""
 
 
 def by_name(dialogue: Dialogue, text: str) -> str:
@@ -23,9 +24,33 @@ def by_name(dialogue: Dialogue, text: str) -> str:
     state = dialogue.state
     if not any(part.parts for part in dialogue.known.root.parts):
         return text
-    if isinstance(state, Watching) or (isinstance(state, Introducing) and state.asked in NAMING):
+    naming = isinstance(state, Introducing) and state.asked in NAMING
+    if isinstance(state, Watching) or (naming and not _changes_plan(dialogue, text)):
         return text
+    return with_names(dialogue, text)
+
+
+def with_names(dialogue: Dialogue, text: str) -> str:
+    """Return a text with the names of the steps that it numbers, as far as there are such."""
     return _numbers(dialogue.language).sub(lambda found: _name(dialogue, found), text)
+
+
+def lost_number(dialogue: Dialogue, text: str) -> str:
+    """Return what is said of a numbered step that there is not, where the plan is changed."""
+    state = dialogue.state
+    if isinstance(state, Watching) or not _changes_plan(dialogue, text):
+        return ""
+    nested = any(part.parts for part in dialogue.known.root.parts)
+    told = [
+        found.group() for found in _numbers(dialogue.language).finditer(with_names(dialogue, text))
+    ]
+    return next((one for one in told if nested or "." in one), "")
+
+
+def _changes_plan(dialogue: Dialogue, text: str) -> bool:
+    """Whether words change a step that has a number: a list of numbered steps changes none."""
+    numbered = len(_numbers(dialogue.language).findall(text))
+    return 1 <= numbered <= 2 and mentions(text, hints("changes_plan", dialogue.language))
 
 
 def _name(dialogue: Dialogue, found: re.Match[str]) -> str:

@@ -10,7 +10,7 @@ from assistant.dialogue.answers import answer
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.bodies import ASSUMED_MM, with_body
 from assistant.dialogue.finding import name_at
-from assistant.dialogue.introduction import with_action
+from assistant.dialogue.introduction import all_understood, with_action
 from assistant.dialogue.naming import (
     Value,
     as_said,
@@ -156,7 +156,8 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
         case "goal":
             return proceed(changed(dialogue, "goal", replace(known, goal="")))
         case "objects" if not state.index:
-            return proceed(changed(dialogue, "objects", replace(known, objects=())))
+            nothing = all_understood(replace(known, objects=()))
+            return proceed(changed(dialogue, "objects", nothing))
         case "objects":
             # It concerns nothing the robot could be told: it is done as it is shown.
             shown = Action("free", name_at(known, state.index))

@@ -18,6 +18,7 @@ from assistant.dialogue.sketch import (
     put,
     removed,
     walk,
+    with_parts,
 )
 from assistant.dialogue.state import Dialogue, Knowledge, Reviewing
 from assistant.dialogue.turn import Turn, changed, line, say
@@ -173,6 +174,24 @@ def _add(dialogue: Dialogue, act: acts.AddSubtask) -> Turn:
     return edited(dialogue, "added", root, line("done", topic, name=name))
 
 
+def add_inside(dialogue: Dialogue, name: str, whole: Index) -> Turn:
+    """Add a part at the end of a step; a single motion gets it and another that is asked for."""
+    known = dialogue.known
+    if dialogue.busy:
+        return say(dialogue, line("error", "while_moving"))
+    if alike(name, names(known.root)):
+        return tell(dialogue, line("error", "name_taken", name=name))
+    node = at(known.root, whole)
+    if node.parts:
+        root = inserted(known.root, whole, len(node.parts) + 1, Sketch(name))
+    else:
+        opened = with_parts(replace(node, action=None), (Sketch(name), Sketch()))
+        root = put(known.root, whole, opened)
+    topic = "added_look" if known.lesson is not None else "added_inside"
+    told = line("done", topic, name=name, parent=node.name)
+    return edited(dialogue, "added", root, told)
+
+
 def _with_new(root: Sketch, index: Index | None, new: Sketch, *, after: bool) -> Sketch:
     if index is not None:
         return inserted(root, index[:-1], index[-1] + after, new)
@@ -189,4 +208,8 @@ def _remove(dialogue: Dialogue, name: str) -> Turn:
     told = at(dialogue.known.root, index).name
     topic = "removed" if dialogue.known.lesson is None else "removed_shown"
     root = removed(dialogue.known.root, index)
+    parent = index[:-1]
+    if parent and not any(part.name for part in at(root, parent).parts):
+        # What has no named part left is a step like any other again.
+        root = put(root, parent, with_parts(at(root, parent), ()))
     return edited(dialogue, "removed", root, line("done", topic, name=told))

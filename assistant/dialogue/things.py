@@ -23,8 +23,8 @@ def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[Ta
     told = [part for phrase in phrases for part in _parted(phrase, scene, language)]
     # A size such as "8 cm wide" is no thing.
     parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
-    bare = [_bare(phrase, language) for phrase in parted]
-    names = [name for phrase in bare for name in _called(phrase, scene, language)]
+    barely = [bare(phrase, language) for phrase in parted]
+    names = [name for phrase in barely for name in _called(phrase, scene, language)]
     no_things: list[str] = hints("no_things", language)
     unique = dict.fromkeys(name for name in names if name and not alike(name, no_things))
     return tuple(TaskObject(name, role(name, scene, language)) for name in unique)
@@ -61,7 +61,7 @@ def _parted(phrase: str, scene: Scene, language: str) -> list[str]:
     """Return the things in a phrase that is more than a name: what stands between its verbs."""
 
     def there(part: str) -> bool:
-        return _called(_bare(part, language), scene, language)[0] in scene.bodies
+        return _called(bare(part, language), scene, language)[0] in scene.bodies
 
     if there(phrase):
         return [phrase]
@@ -71,11 +71,11 @@ def _parted(phrase: str, scene: Scene, language: str) -> list[str]:
     if len(parts) == 1:
         return [phrase]
     no_things: list[str] = hints("no_things", language)
-    barely = [(part, _bare(part, language).lower()) for part in parts]
-    bare = [part for part, name in barely if name and name not in no_things]
+    barely = [(part, bare(part, language).lower()) for part in parts]
+    named = [part for part, name in barely if name and name not in no_things]
     # In a whole sentence a new thing has an article; one that is known needs none.
-    led = [part for part in bare if _article(language).match(part.strip())]
-    return [part for part in bare if part in led or there(part)] if led else bare
+    led = [part for part in named if _article(language).match(part.strip())]
+    return [part for part in named if part in led or there(part)] if led else named
 
 
 def known_name(phrase: str, scene: Scene, language: str = "english") -> str:
@@ -127,7 +127,8 @@ def _things(text: str, language: str) -> list[str]:
     return [piece for piece in re.split(rf",|;|{between}", text) if piece.strip()]
 
 
-def _bare(phrase: str, language: str) -> str:
+def bare(phrase: str, language: str = "english") -> str:
+    """Return a name without its articles."""
     return _article(language).sub("", tidy_name(phrase))
 
 

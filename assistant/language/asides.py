@@ -59,6 +59,11 @@ def is_thanks(text: str, language: str = "english") -> bool:
     return _is_only(text, "thanks", language)
 
 
+def frees_order(text: str, language: str = "english") -> bool:
+    """Whether a text tells that the order is free, and nothing else."""
+    return _is_only(text, "order_free", language)
+
+
 def introduced_person(
     text: str, language: str = "english", *, sure: bool = False
 ) -> tuple[str, str]:

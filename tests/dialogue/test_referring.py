@@ -46,3 +46,12 @@ def test_a_flat_tree_is_left_to_the_understanding() -> None:
     flat = Lessons(begin()).open().tell("x y z").tell("done then").tell(("block", "target"))
     flat.tell(2).tell("grasp the block").tell("release the block")
     assert by_name(flat.dialogue, "remove step 2") == "remove step 2"
+
+
+def test_words_that_change_the_plan_refer_to_it_whatever_is_asked() -> None:
+    naming = Lessons().open().tell("x y z").tell("done then").tell(("block", "target"))
+    naming.tell(("fetch", "serve")).tell(("grasp the block", "lift it"))
+    assert naming.asked == "subtask_count"
+    assert by_name(naming.dialogue, "the second step is optional") == "serve is optional"
+    listed = "step 1 look, step 2 turn, step 1.1 skip"
+    assert by_name(naming.dialogue, listed) == listed
