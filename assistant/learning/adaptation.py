@@ -53,11 +53,12 @@ def adapt(
     """
     if not speed > 0.0:
         raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
-    frames = frames_in(plan, scene, setup)
     told = setup.robot_start
-    begin = placed(told.xyz_mm, told.rpy_deg) if start is None else start
-    path = adapted_path(plan, frames, np.asarray(begin, dtype=float))
-    steps_s = np.where(plan.resting, plan.steps_s / min(speed, 1.0), plan.steps_s / speed)
+    begin = placed(told.xyz_mm, told.rpy_deg) if start is None else np.asarray(start).tolist()
+    path = _path(plan, _frames(plan, scene, setup), begin)
+    steps_s = plan.steps_s
+    if speed != 1.0:
+        steps_s = np.where(plan.resting, steps_s / min(speed, 1.0), steps_s / speed)
     t_s = bounded_times(
         steps_s,
         path,
@@ -79,7 +80,11 @@ def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:
     start : array, shape (7,)
         Where the hand is.
     """
-    moves = _moves(plan, frames.tolist(), start.tolist())
+    return _path(plan, frames.tolist(), start.tolist())
+
+
+def _path(plan: AdaptationPlan, frames: Rows, start: Floats) -> Array:
+    moves = _moves(plan, frames, start)
     scheme = plan.settings.scheme
     path = smooth_way(plan.ways, moves) if scheme == "smooth" else _printed(plan, moves, start)
     for bend in plan.bends:
@@ -87,7 +92,7 @@ def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:
     return path
 
 
-def _printed(plan: AdaptationPlan, stretch_moves: Rows, start: Array) -> Array:
+def _printed(plan: AdaptationPlan, stretch_moves: Rows, start: Floats) -> Array:
     """Return the path of one of the schemes near to the paper's."""
     moves, scheme = np.array(stretch_moves), plan.settings.scheme
     at_stations = moves[1 : 1 + len(plan.stations)]
@@ -97,7 +102,7 @@ def _printed(plan: AdaptationPlan, stretch_moves: Rows, start: Array) -> Array:
         return compose(moves[0], plan.ways.path)
     learned = plan.ways.path
     turned = azimuth_turned(learned, moves, plan.ways.held) if scheme == "azimuth" else learned
-    return eq6_way(turned, learned, at_stations, start, plan.weights)
+    return eq6_way(turned, learned, at_stations, np.array(start), plan.weights)
 
 
 def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
@@ -105,11 +110,15 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
 
     An object that has been released is from then on where the hand let go of it.
     """
+    return np.array(_frames(plan, scene, setup)).reshape(-1, 7)
+
+
+def _frames(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Rows:
     _check_places(plan.stations, setup)
     used = {station.frame for station in plan.stations}
     now = {name: _hand(scene, name, place) for name, place in setup.places.items() if name in used}
     in_hand: dict[str, list[float]] = {}
-    out = []
+    out: Rows = []
     for station, hand_in_frame in zip(plan.stations, plan.hands, strict=True):
         frame = now[station.frame]
         out.append(frame)
@@ -119,7 +128,7 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
         elif station.kind == "release" and station.object in in_hand:
             hand = composed(frame, hand_in_frame)
             now[station.object] = composed(hand, in_hand.pop(station.object))
-    return np.array(out).reshape(-1, 7)
+    return out
 
 
 def _hand(scene: Scene, name: str, place: Place) -> list[float]:
@@ -138,12 +147,12 @@ def _moves(plan: AdaptationPlan, frames: Rows, start: Floats) -> Rows:
     return [*moves, begin] if plan.ends_with_start else moves
 
 
-def _bent(path: Array, bend: Bend, frames: Array) -> None:
+def _bent(path: Array, bend: Bend, frames: Rows) -> None:
     """Add a correction to a path that is still being made."""
     offset, turn = bend.offset_m, bend.turn_rad
     if bend.station >= 0:
-        offset = rotate_vector(frames[bend.station, 3:], offset)
-        turn = rotate_vector(frames[bend.station, 3:], turn)
+        quat = np.array(frames[bend.station][3:])
+        offset, turn = rotate_vector(quat, offset), rotate_vector(quat, turn)
     inside = slice(bend.begin, bend.end)
     path[inside, :3] += bend.weight[:, None] * offset
     turns = quat_from_rotvec(bend.weight[:, None] * turn)

@@ -25,7 +25,6 @@ With these the jerk is within a tenth of the least there is for turns up to 300 
 """
 LEAST_SAMPLES = 12
 _NEARLY_M = 1e-9
-_CLEAR = [[0.0, 0.0, 0.0]] * 3
 _SUBSETS = [some for some in itertools.product((0.0, 1.0), repeat=3) if any(some)]
 
 
@@ -35,10 +34,8 @@ class Clearance:
 
     Parameters
     ----------
-    columns : three rows of six floats
-        Weights of the way's ends at each instant, as in `quintic`.
-    details : three rows of three floats
-        What the learned way adds to the least-jerk curve between its ends, there.
+    at : three of int
+        Which of the samples between the way's ends lie at the instants.
     azimuth, radius : three floats
         Of the learned way there.
     made : three floats
@@ -49,8 +46,7 @@ class Clearance:
         Azimuth and radius of the learned way's ends.
     """
 
-    columns: Rows
-    details: Rows
+    at: list[int]
     azimuth: Floats
     radius: Floats
     made: Floats
@@ -71,17 +67,13 @@ def bump(share: Array, instant: float) -> Array:
     return np.asarray(1e4 * (back - np.maximum(share - instant, 0.0) ** 5 / 120.0))
 
 
-def prepared(
-    xy: Array, hermite: Array, details: Array, share: Array
-) -> tuple[Clearance, Array] | None:
+def prepared(xy: Array, share: Array) -> tuple[Clearance, Array] | None:
     """Return what a way needs to be pressed, and the bumps, shape (m, 3); None if too short.
 
     Parameters
     ----------
     xy : array, shape (m + 2, 2)
         The learned way, ends included.
-    hermite : array, shape (m, 6)
-    details : array, shape (m, 3)
     share : array, shape (m,)
         Of the way's time, ends excluded.
     """
@@ -92,8 +84,7 @@ def prepared(
     there = [k + 1 for k in at]
     bumps = np.stack([bump(share, float(share[k])) for k in at], axis=1)
     clearance = Clearance(
-        hermite[at].tolist(),
-        details[at].tolist(),
+        at,
         azimuth[there].tolist(),
         radius[there].tolist(),
         least_jerk(share[at]).tolist(),
@@ -104,38 +95,36 @@ def prepared(
     return clearance, bumps
 
 
-def presses(clear: Clearance, ends: Rows, turns: tuple[Turn, Turn], keep: float) -> Rows:
-    """Return the weights of the three bumps, a row of xyz each; zeros where all is clear.
+def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: float) -> Rows:
+    """Return the weights of the three bumps, a row of x and y each; no row where all is clear.
 
     Parameters
     ----------
     clear : Clearance
-    ends : six rows of three floats
-        Value, slope and curvature of the new way at both ends.
+    places : five rows of xyz
+        Of the new way: where it begins, at the three instants, where it ends.
     turns : two of Turn
         Of the stretches at either end.
     keep : float
         Share of the distance from the axis that is kept, against a way that turns evenly.
     """
-    begin = _changed(ends[0], clear.begin, turns[0].azimuth)
-    end = _changed(ends[3], clear.end, turns[1].azimuth)
+    begin = _changed(places[0], clear.begin, turns[0].azimuth)
+    end = _changed(places[4], clear.end, turns[1].azimuth)
     directions, needs = [], []
     for k, share in enumerate(SHARES):
-        made = clear.made[k]
         angle = clear.azimuth[k] + begin[0] + (end[0] - begin[0]) * share
-        radius = clear.radius[k] + begin[1] + (end[1] - begin[1]) * made
-        x, y = _passed(clear, k, ends, turns)
+        radius = clear.radius[k] + begin[1] + (end[1] - begin[1]) * clear.made[k]
         out = math.cos(angle), math.sin(angle)
         directions.append(out)
-        needs.append(keep * radius - (out[0] * x + out[1] * y))
+        needs.append(keep * radius - (out[0] * places[k + 1][0] + out[1] * places[k + 1][1]))
     if max(needs) <= 0.0:
-        return _CLEAR
+        return []
     stiff = [
         [row[j] * (x * directions[j][0] + y * directions[j][1]) for j in range(3)]
         for (x, y), row in zip(directions, clear.stiff, strict=True)
     ]
     found = zip(least_presses(stiff, needs), directions, strict=True)
-    return [[press * x, press * y, 0.0] for press, (x, y) in found]
+    return [[press * x, press * y] for press, (x, y) in found]
 
 
 def _changed(place: Floats, shown: tuple[float, float], turn: float) -> tuple[float, float]:
@@ -143,20 +132,6 @@ def _changed(place: Floats, shown: tuple[float, float], turn: float) -> tuple[fl
     change = math.atan2(place[1], place[0]) - shown[0]
     radius = math.hypot(place[0], place[1]) - shown[1]
     return turn + math.remainder(change - turn, 2.0 * math.pi), radius
-
-
-def _passed(clear: Clearance, k: int, ends: Rows, turns: tuple[Turn, Turn]) -> tuple[float, float]:
-    """Return x and y of the way, not pressed yet, at an instant."""
-    here, there = turns
-    cos = here.cos + (there.cos - here.cos) * clear.made[k]
-    sin = here.sin + (there.sin - here.sin) * clear.made[k]
-    x, y, _ = clear.details[k]
-    a, b, c, d, e, f = clear.columns[k]
-    (ax, ay, _), (bx, by, _), (cx, cy, _), (dx, dy, _), (ex, ey, _), (fx, fy, _) = ends
-    return (
-        cos * x - sin * y + a * ax + b * bx + c * cx + d * dx + e * ex + f * fx,
-        sin * x + cos * y + a * ay + b * by + c * cy + d * dy + e * ey + f * fy,
-    )
 
 
 def least_presses(stiff: Rows, needs: Floats) -> list[float]:

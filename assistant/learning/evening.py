@@ -54,18 +54,17 @@ def third(rows: Array) -> Array:
     return np.asarray(twice[:, 1:] - twice[:, :-1])
 
 
-def share_needed(rough: Array, change: Array, most: float) -> float:
+def share_needed(have: float, slope: float, bend: float, most: float) -> float:
     """Return the least share, in [0, 1], of a change that brings squared jerk to a bound.
 
     Parameters
     ----------
-    rough, change : array, shape (k, m)
-        Third differences of the way, and of the whole change.
+    have, slope, bend : float
+        Products of third differences: of the way with itself, of the way with the whole
+        change, of the change with itself.
     most : float
         Sum of squares allowed; where it cannot be had, the share with the least.
     """
-    have = float(np.vdot(rough, rough))
-    slope, bend = float(np.vdot(rough, change)), float(np.vdot(change, change))
     if have <= most or slope >= 0.0:
         return 0.0
     left = slope * slope - bend * (have - most)

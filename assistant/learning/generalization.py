@@ -105,12 +105,26 @@ def _halt(smoothed: Smoothed, at_s: float, given: GeneralizationSettings) -> Hal
     speed = smoothed.speed
     if float(np.interp(at_s, smoothed.t_s, speed)) > given.rest_m_s:
         return Halt(at_s, given.easing_s, given.easing_s, given.dwell_s)
-    moving_s = smoothed.t_s[speed > given.rest_m_s]
-    before, after = moving_s[moving_s < at_s], moving_s[moving_s > at_s]
-    begin_s = float(before[-1]) if len(before) else float(smoothed.t_s[0])
-    end_s = float(after[0]) if len(after) else float(smoothed.t_s[-1])
+    begin_s, end_s = _still(smoothed.t_s, speed, at_s, given.rest_m_s)
     lacking = given.dwell_s / 2.0 - min(at_s - begin_s, end_s - at_s)
     return Halt(at_s, 0.0, 0.0, 2.0 * max(lacking, 0.0))
+
+
+def _still(t_s: Array, speed: Array, at_s: float, rest_m_s: float) -> tuple[float, float]:
+    """Return from when to when the hand rests about an instant.
+
+    A motion begins where its speed begins to rise, not where it is fast already: a rest held
+    beyond that would start it, or end it, with a jerk.
+    """
+    moving = np.flatnonzero(speed > rest_m_s)
+    before, after = moving[t_s[moving] < at_s], moving[t_s[moving] > at_s]
+    first, last = (int(before[-1]) if len(before) else 0), (int(after[0]) if len(after) else -1)
+    last %= len(t_s)
+    while first + 1 < len(t_s) and t_s[first + 1] < at_s and speed[first + 1] < speed[first]:
+        first += 1
+    while last > 0 and t_s[last - 1] > at_s and speed[last - 1] < speed[last]:
+        last -= 1
+    return float(t_s[first]), float(t_s[last])
 
 
 def _end_halt(smoothed: Smoothed, at_s: float, given: GeneralizationSettings) -> Halt:
@@ -125,15 +139,17 @@ def _resting(path: Array, after_s: Array, pose: Array, given: GeneralizationSett
     beyond = (np.abs(after_s) - given.dwell_s / 2.0) / given.easing_s
     near = np.flatnonzero(beyond < 1.0)
     out = path.copy()
-    # What is taken back is what the hand strayed from the pose within the rest itself, so
-    # that a hand that moves on is not pulled back.
+    # What is taken back is what the hand strayed from the pose within the rest itself, and the
+    # speed it has at its end: so a hand that moves on sets off from rest and is not pulled back.
     edge = np.clip(after_s[near], -given.dwell_s / 2.0, given.dwell_s / 2.0)
     inside = np.abs(after_s) <= given.dwell_s / 2.0 + 1e-12
     rests = np.flatnonzero(inside)
     anchors = rests[np.clip(np.searchsorted(after_s[rests], edge), 0, len(rests) - 1)]
+    outward = np.clip(anchors + np.where(after_s[near] < 0.0, -1, 1), 0, len(path) - 1)
+    steps = np.abs(near - anchors)[:, None] * (path[outward, :3] - path[anchors, :3])
     weight = 1.0 - six_order(np.maximum(beyond[near], 0.0))
     shifted = path[near]
-    shifted[:, :3] += weight[:, None] * (pose[:3] - path[anchors, :3])
+    shifted[:, :3] += weight[:, None] * (pose[:3] - path[anchors, :3] - steps)
     turned = interpolate(path[near], pose[None, :], weight)
     shifted[:, 3:] = turned[:, 3:]
     out[near] = shifted

@@ -35,10 +35,10 @@ def matrix(quat: Floats) -> Rows:
     ]
 
 
-def left_factor(quat: Floats) -> Rows:
-    """Return the rows of the 4 by 4 matrix that multiplies a quaternion from the left."""
+def left_factor(quat: Floats) -> list[float]:
+    """Return the 4 by 4 matrix, row by row, that multiplies a quaternion from the left."""
     x, y, z, w = quat
-    return [[w, -z, y, x], [z, w, -x, y], [-y, x, w, z], [-x, -y, -z, w]]
+    return [w, -z, y, x, z, w, -x, y, -y, x, w, z, -x, -y, -z, w]
 
 
 def turned(quat: Floats, vector: Floats) -> list[float]:
@@ -94,34 +94,3 @@ def arc(quat: Floats) -> tuple[list[float], float]:
     angle = 2.0 * math.atan2(sine, w)
     sign = -1.0 if angle > math.pi - 1e-9 and z < 0.0 else 1.0
     return [sign * x / sine, sign * y / sine, sign * z / sine], angle
-
-
-def carrier(turning: Rows, move: Floats) -> list[float]:
-    """Return the matrix, shape (8, 7), row by row, that moves rows of xyz, 1 and quaternion.
-
-    `turning` is the matrix of the move's own turn. One flat list: arrays are made quicker of it.
-    """
-    (a, b, c), (d, e, f), (g, h, i) = turning
-    px, py, pz, x, y, z, w = move
-    # fmt: off
-    return [
-        a, d, g, 0.0, 0.0, 0.0, 0.0,
-        b, e, h, 0.0, 0.0, 0.0, 0.0,
-        c, f, i, 0.0, 0.0, 0.0, 0.0,
-        px, py, pz, 0.0, 0.0, 0.0, 0.0,
-        0.0, 0.0, 0.0, w, z, -y, -x,
-        0.0, 0.0, 0.0, -z, w, x, -y,
-        0.0, 0.0, 0.0, y, -x, w, -z,
-        0.0, 0.0, 0.0, x, y, z, w,
-    ]
-    # fmt: on
-
-
-def moved(rows: Rows, turning: Rows, move: Floats) -> Rows:
-    """Return places moved rigidly; `turning` as in `carrier`."""
-    (a, b, c), (d, e, f), (g, h, i) = turning
-    px, py, pz = move[:3]
-    return [
-        [a * x + b * y + c * z + px, d * x + e * y + f * z + py, g * x + h * y + i * z + pz]
-        for x, y, z in rows
-    ]

@@ -6,11 +6,17 @@ acceleration constraints"); design, "Whole-task motion".
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
 
 from assistant.geometry import Array
+
+_SUMMED = np.repeat(np.eye(2), (3, 4), axis=1)
+"""Sums up the columns of place and those of turn."""
+_MOST_TURN = math.pi / math.sqrt(2.0)
+"""Half a turn by its chord, to the nearer sign of its quaternion: no turn has a larger one."""
 
 
 def hand_speeds(t_s: Array, path: Array) -> Array:
@@ -52,32 +58,37 @@ def bounded_times(
     """
     t_s = np.empty(len(path))
     t_s[0] = 0.0
-    need = _need(path, greatest_m_s, greatest_rad_s)
-    need /= steps_s
-    if np.max(need, initial=0.0) <= 1.0:
+    need = _need_squared(steps_s, path, greatest_m_s, greatest_rad_s)
+    much = np.flatnonzero(need > 1.0)
+    if not len(much):
         np.cumsum(steps_s, out=t_s[1:])
         return t_s
-    np.cumsum(steps_s * _spread(np.maximum(need, 1.0), brake), out=t_s[1:])
+    # Elsewhere nothing changes: it reaches from a window before the first to one after the last.
+    reach = 2 * max(brake // 2, 1)
+    inside = slice(max(int(much[0]) - reach, 0), int(much[-1]) + reach + 1)
+    slower = steps_s.copy()
+    slower[inside] *= _spread(np.sqrt(np.maximum(need[inside], 1.0)), brake)
+    np.cumsum(slower, out=t_s[1:])
     return t_s
 
 
-def _need(path: Array, greatest_m_s: float, greatest_rad_s: float) -> Array:
-    """Return the least time between samples that keeps both bounds, shape (n - 1,)."""
-    steps = path[1:] - path[:-1]
+def _need_squared(steps_s: Array, path: Array, greatest_m_s: float, greatest_rad_s: float) -> Array:
+    """Return how much longer each step must at least last, squared; 1 is as it is.
+
+    Shape (n - 1,). Where that is no more than 1 it may be too little.
+    """
+    columns = path.T
+    steps = columns[:, 1:] - columns[:, :-1]
     steps *= steps
-    way = steps[:, 0] + steps[:, 1]
-    way += steps[:, 2]
-    apart = steps[:, 3] + steps[:, 4]
-    apart += steps[:, 5]
-    apart += steps[:, 6]
-    # As in `turn_speeds`; the squared chords to both signs of a rotation add up to 4.
-    half = np.sqrt(np.minimum(apart, np.abs(4.0 - apart)))
-    half *= 0.5
-    turn = np.arcsin(np.minimum(half, 1.0, out=half), out=half)
-    turn *= 4.0 / greatest_rad_s
-    np.sqrt(way, out=way)
-    way *= 1.0 / greatest_m_s
-    return np.maximum(way, turn, out=way)
+    speeds = np.matmul(_SUMMED, steps)
+    speeds /= steps_s * steps_s
+    need: Array = speeds[0]
+    need *= 1.0 / (greatest_m_s * greatest_m_s)
+    # As in `turn_speeds`, a turn is at most so many times its chord.
+    if _MOST_TURN**2 * float(np.max(speeds[1], initial=0.0)) <= greatest_rad_s**2:
+        return need
+    turning = turn_speeds(np.concatenate([[0.0], np.cumsum(steps_s)]), path) / greatest_rad_s
+    return np.maximum(need, turning * turning)
 
 
 def resting_steps(t_s: Array, acts: Sequence[int], dwell_s: float) -> Array:

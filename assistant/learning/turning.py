@@ -9,12 +9,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.learning.rigid import Floats, Rows, arc, left_factor, multiply
+from assistant.learning.rigid import Floats, Rows, arc, multiply
 
 
 class Turn(NamedTuple):
@@ -36,7 +37,11 @@ class Turn(NamedTuple):
     sin: float
 
 
-_UP = (0.0, 0.0, 1.0, 0.0)
+NODES = 0.5 - 0.5 * np.cos(np.pi * np.arange(22) / 21.0)
+"""Shares of a turn at which it is computed: those of Chebyshev, both ends included."""
+_QUARTER = math.pi / 2.0
+_SHARES = np.stack([NODES, np.ones(len(NODES))])
+_BARYCENTRIC = (-1.0) ** np.arange(22) * np.array([0.5, *([1.0] * 20), 0.5])
 
 
 def turns(
@@ -82,38 +87,63 @@ def _upright(z: float, w: float) -> tuple[float, float]:
     return ((w * w - z * z) / length, 2.0 * z * w / length) if length > 1e-12 else (1.0, 0.0)
 
 
-def turned(here: Turn, there: Turn) -> tuple[Rows, Rows]:
-    """Return how the hand turns on a way: azimuth, then the arc, then the learned turn.
+def nodes_between(made: Array) -> Array:
+    """Return the weights of values at `NODES` for shares of the turn made, shape (nodes, m).
 
-    Returns
-    -------
-    halves : two rows of two floats
-        Half of the azimuth's change and of the arc: for the share made, and where it begins.
-    factors : sixteen rows of four floats
-        The four quaternions, as left factors, that the turns are weighted sums of.
+    The turn is an analytic function of the share made: through so many values it is led to
+    rounding, without a sine of its own for each sample.
     """
-    rest = here.rest
-    axis, angle = arc(multiply([-rest[0], -rest[1], -rest[2], rest[3]], there.rest))
-    begun = multiply(rest, [*axis, 0.0])
-    terms = [rest, begun, multiply(_UP, rest), multiply(_UP, begun)]
-    halves = [[0.5 * (there.azimuth - here.azimuth), 0.5 * here.azimuth], [0.5 * angle, 0.0]]
-    return halves, [row for term in terms for row in left_factor(term)]
+    apart = made[None, :] - NODES[:, None]
+    met = np.abs(apart) < 1e-15
+    weights: Array = _BARYCENTRIC[:, None] / np.where(met, 1.0, apart)
+    weights /= np.sum(weights, axis=0)
+    weights[:, np.any(met, axis=0)] = 0.0
+    weights[met] = 1.0
+    return weights
 
 
-def summed(halves: Array, terms: Array) -> Array:
-    """Return the product of both turns and the learned one: a sum with these weights.
+def turned(by: Sequence[Turn]) -> Array:
+    """Return how the hand is turned on each way, at the `NODES`, shape (ways, 4, nodes).
+
+    It comes after the learned turn: the arc to the next stretch's, then the azimuth.
+    """
+    flat = [one for here, there in pairwise(by) for one in _between(here, there)]
+    rows = np.array(flat).reshape(-1, 6, 4)
+    waves: Array = np.cos(np.matmul(rows[:, :2].reshape(-1, 4, 2), _SHARES))
+    weights: Array = waves[:, :2, None] * waves[:, None, 2:]
+    weights = weights.reshape(-1, 4, len(NODES))
+    nodes: Array = np.matmul(rows[:, 2:].transpose(0, 2, 1), weights)
+    return nodes
+
+
+def _between(here: Turn, there: Turn) -> list[float]:
+    """Return what `turned` needs of a way: eight angles in rad, and four quaternions."""
+    rest = x, y, z, w = here.rest
+    axis, angle = arc(multiply([-x, -y, -z, w], there.rest))
+    a, b, c, d = multiply(rest, [*axis, 0.0])
+    half, begin, bent = 0.5 * (there.azimuth - here.azimuth), 0.5 * here.azimuth, 0.5 * angle
+    # Change and beginning of each half angle, for its cosine, then for its sine.
+    angles = half, begin, half, begin - _QUARTER, bent, 0.0, bent, -_QUARTER
+    # The last two quaternions are the first two after half a turn about the vertical.
+    return [*angles, x, y, z, w, a, b, c, d, -y, x, w, -z, -b, a, d, -c]
+
+
+def products(turning: Array, quats: Array) -> Array:
+    """Return the terms of products of quaternions, shape (16, m), for `SUMMED` to sum up.
 
     Parameters
     ----------
-    halves : array, shape (2, m)
-        Half of the azimuth's change and half of the arc, in rad.
-    terms : array, shape (4, 4, m)
-        The factors of `turned` applied to the learned turns; used up.
+    turning, quats : array, shape (4, m)
+        Turn by `quats`, then by `turning`.
     """
-    cos, sin = np.cos(halves), np.sin(halves)
-    quats: Array = terms[0]
-    quats *= cos[0] * cos[1]
-    for weight, term in ((cos[0] * sin[1], 1), (sin[0] * cos[1], 2), (sin[0] * sin[1], 3)):
-        terms[term] *= weight
-        quats += terms[term]
-    return quats
+    terms: Array = turning[:, None] * quats
+    return terms.reshape(16, -1)
+
+
+def _summing() -> Array:
+    """Return what sums products of components of two quaternions up to those of their own."""
+    units = np.eye(4).tolist()
+    return np.array([multiply(a, b) for a in units for b in units]).T.copy()
+
+
+SUMMED = _summing()

@@ -25,6 +25,7 @@ from assistant.geometry import (
     quat_normalize,
 )
 from assistant.learning.adaptation import AdaptationPlan, adapted_path
+from assistant.learning.carrying import ADDED, EVENED, OF_STRETCH
 from assistant.model.settings import BlendingSettings
 
 Query = Callable[[Array, Array], Array]
@@ -51,15 +52,17 @@ def ours(scheme: Literal["smooth", "paper", "two_frame", "azimuth"], name: str) 
 
 def least_jerk(plan: AdaptationPlan) -> Query:
     """Return ours with nothing of the teacher's hand left between the stretches: a floor."""
-    bare = [replace(way, curves=_emptied(way.curves)) for way in plan.ways.between]
+    bare = [replace(way, rows=_emptied(way.rows)) for way in plan.ways.between]
     chosen = replace(plan, ways=replace(plan.ways, between=tuple(bare), most=np.inf))
     return partial(adapted_path, chosen)
 
 
-def _emptied(curves: Array) -> Array:
-    # Between the weights of the ends and those of the presses stands what the teacher's hand adds.
-    out = curves.copy()
-    out[6:11] = 0.0
+def _emptied(rows: Array) -> Array:
+    # Without what the teacher's hand adds, whichever stretch it turns with.
+    out = rows.copy()
+    for part in (ADDED, EVENED):
+        out[part] = 0.0
+        out[OF_STRETCH + part.start : OF_STRETCH + part.stop] = 0.0
     return out
 
 

@@ -26,14 +26,15 @@ def led(azimuth: float, keep: float = 1.0, radius: float = 0.6) -> Array:
     """Return a way from rest to rest whose end is turned about the base, shape (m, 2)."""
     hermite = quintic(SHARE, SAMPLES)
     shown = np.array([radius, 0.0]) + np.linspace(0.0, 1.0, SAMPLES + 1)[:, None] * [0.0, 0.1]
-    details = np.zeros((len(SHARE), 3))
-    ready = prepared(shown, hermite, details, SHARE)
+    ready = prepared(shown, SHARE)
     assert ready is not None
+    clear, bumps = ready
     end = [radius * np.cos(azimuth), radius * np.sin(azimuth), 0.0]
     rest = [[0.0, 0.0, 0.0]] * 2
-    ends = [[radius, 0.0, 0.0], *rest, end, *rest]
-    found = presses(ready[0], ends, (turn(0.0), turn(azimuth)), keep)
-    return np.asarray(hermite @ np.array(ends) + ready[1] @ np.array(found))[:, :2]
+    free = hermite @ np.array([[radius, 0.0, 0.0], *rest, end, *rest])
+    places = [[radius, 0.0, 0.0], *free[clear.at].tolist(), end]
+    found = presses(clear, places, (turn(0.0), turn(azimuth)), keep)
+    return np.asarray(free[:, :2] + bumps @ np.reshape(found or np.zeros((3, 2)), (3, 2)))
 
 
 @pytest.mark.parametrize("instant", [0.3, 0.5, 0.7])
@@ -106,4 +107,4 @@ def test_a_way_that_is_clear_is_not_pressed() -> None:
 def test_a_way_of_few_samples_is_left_alone() -> None:
     share = np.arange(1, 8) / 8
     xy = np.ones((9, 2))
-    assert prepared(xy, quintic(share, 8), np.zeros((7, 3)), share) is None
+    assert prepared(xy, share) is None

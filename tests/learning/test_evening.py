@@ -38,12 +38,20 @@ def test_details_of_few_samples_stay() -> None:
     assert even(details, np.arange(1, 5) / 5, 1.0) is details
 
 
+def products(rough: Array, change: Array) -> tuple[float, float, float]:
+    return (
+        float(np.vdot(rough, rough)),
+        float(np.vdot(rough, change)),
+        float(np.vdot(change, change)),
+    )
+
+
 @pytest.mark.parametrize("aim", [0.95, 0.7, 0.4])
 def test_no_more_is_evened_than_needed(aim: float) -> None:
     details = uneven(0.001)
     rough, change = third(details.T), third((even(details, SHARE, 0.010) - details).T)
     most = aim * float(np.vdot(rough, rough))
-    share = share_needed(rough, change, most)
+    share = share_needed(*products(rough, change), most)
     assert 0.0 < share < 1.0
     after = rough + share * change
     assert np.vdot(after, after) == pytest.approx(most, rel=1e-9)
@@ -52,6 +60,6 @@ def test_no_more_is_evened_than_needed(aim: float) -> None:
 def test_what_is_even_enough_is_left_alone_and_what_is_never_is_evened_wholly() -> None:
     details = uneven(0.001)
     rough, change = third(details.T), third((even(details, SHARE, 0.010) - details).T)
-    assert share_needed(rough, change, float(np.vdot(rough, rough))) == 0.0
-    assert share_needed(rough, -change, 0.0) == 0.0
-    assert share_needed(rough, change, 0.0) == pytest.approx(1.0, abs=0.05)
+    assert share_needed(*products(rough, change), float(np.vdot(rough, rough))) == 0.0
+    assert share_needed(*products(rough, -change), 0.0) == 0.0
+    assert share_needed(*products(rough, change), 0.0) == pytest.approx(1.0, abs=0.05)

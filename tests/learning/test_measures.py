@@ -123,12 +123,7 @@ def least_jerk_ratio(made: Task, plan: AdaptationPlan, path: HandPath, setup: Se
 def bare(path: Array, held: tuple[tuple[int, int], ...]) -> Array:
     out = path.copy()
     for (_, first), (last, _) in itertools.pairwise(held):
-        about = [np.clip(np.array([k - 1, k, k + 1]), 0, len(path) - 1) for k in (first, last)]
-        ends = [
-            row
-            for a, b, c in (path[some, :3] for some in about)
-            for row in (b, (c - a) / 2.0, a - 2.0 * b + c)
-        ]
+        ends = [row for k in (first, last) for row in curve_end(path, k)]
         share = np.arange(1, last - first) / (last - first)
         out[first + 1 : last, :3] = quintic(share, last - first) @ np.array(ends)
     return out
@@ -193,9 +188,9 @@ def strays_by_noise(plan: AdaptationPlan, seed: int) -> tuple[float, float, floa
 def most_added(plan: AdaptationPlan) -> float:
     """Return the farthest, in m, that a learned way lies beside the curve between its ends."""
     most = 0.0
-    for way, (first, last) in zip(plan.ways.between, pairwise_spans(plan), strict=True):
+    for first, last in pairwise_spans(plan):
         joining = quintic(np.arange(1, last - first) / (last - first), last - first)
-        ends = np.array([end for about in way.ends for end in curve_end(np.array(about))])
+        ends = np.array([end for k in (first, last) for end in curve_end(plan.ways.path, k)])
         added = plan.ways.path[first + 1 : last, :2] - (joining @ ends)[:, :2]
         most = max(most, float(np.max(np.hypot(*added.T))))
     return most
@@ -205,9 +200,9 @@ def pairwise_spans(plan: AdaptationPlan) -> list[tuple[int, int]]:
     return [(first, last) for (_, first), (last, _) in itertools.pairwise(plan.ways.held)]
 
 
-def curve_end(about: Array) -> list[Array]:
-    """Return value, slope and curvature at the middle one of three samples."""
-    before, here, after = about
+def curve_end(path: Array, at: int) -> list[Array]:
+    """Return value, slope and curvature at a sample."""
+    before, here, after = path[np.clip([at - 1, at, at + 1], 0, len(path) - 1), :3]
     return [here, (after - before) / 2.0, before - 2.0 * here + after]
 
 

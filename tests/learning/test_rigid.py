@@ -29,7 +29,7 @@ def test_floats_agree_with_arrays(seed: int) -> None:
     assert np.allclose(rigid.composed(a.tolist(), b.tolist()), compose(a, b), atol=1e-14)
     assert np.allclose(rigid.inverted(a.tolist()), inverse(a), atol=1e-14)
     assert np.allclose(rigid.matrix(a[3:].tolist()), quat_to_matrix(a[3:]), atol=1e-14)
-    product = np.array(rigid.left_factor(a[3:].tolist())) @ b[3:]
+    product = np.reshape(rigid.left_factor(a[3:].tolist()), (4, 4)) @ b[3:]
     assert np.allclose(product, quat_multiply(a[3:], b[3:]), atol=1e-14)
     turned = rigid.turned(a[3:].tolist(), b[:3].tolist())
     assert np.allclose(turned, rotate_vector(a[3:], b[:3]), atol=1e-14)

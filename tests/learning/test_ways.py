@@ -1,10 +1,13 @@
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from assistant.files.demonstrations import read_demonstration
 from assistant.files.scenes import find_scene
@@ -15,12 +18,18 @@ from assistant.geometry import (
     angle_between,
     compose,
     distance_between,
+    interpolate,
     pose_from_mm_deg,
+    quat_from_rotvec,
+    quat_multiply,
+    quat_normalize,
+    rotate_vector,
 )
 from assistant.learning.adaptation import plan_adaptation
 from assistant.learning.lesson import learn
 from assistant.learning.timing import rms_jerk
-from assistant.learning.ways import prepare, smooth_way
+from assistant.learning.ways import Ways, prepare, smooth_way
+from assistant.learning.weights import least_jerk, quintic
 from assistant.model.settings import BlendingSettings
 from tests.learning.lessons import learned
 
@@ -70,10 +79,10 @@ def test_what_is_pushed_does_not_swing_around_the_base_where_it_passes_its_back(
     following = plan.ways.path[plan.ways.held[2][1]]
     back = float(np.rad2deg(np.arctan2(following[1], following[0])))
     moves.append(about_base(-179.0 - back))
-    settings = BlendingSettings()
+    given_settings = BlendingSettings()
     way = slice(plan.ways.held[1][1], plan.ways.held[2][0] + 1)
-    around = smooth_way(prepare(plan.ways.path, plan.ways.held, settings), moves)[way]
-    pushed = prepare(plan.ways.path, plan.ways.held, settings, onward=frozenset({2}))
+    around = smooth_way(prepare(plan.ways.path, plan.ways.held, given_settings), moves)[way]
+    pushed = prepare(plan.ways.path, plan.ways.held, given_settings, onward=frozenset({2}))
     straight = smooth_way(pushed, moves)[way]
     assert np.max(around[:, 0]) > 0.2
     assert np.max(straight[:, 0]) < 0.0
@@ -91,14 +100,92 @@ def test_only_what_was_touched_and_is_then_brought_elsewhere_is_pushed() -> None
 
 def test_evening_leads_no_further_than_told_and_lowers_jerk() -> None:
     task = learned(noise_m=0.0005)
-    plan, settings = plan_adaptation(task), BlendingSettings()
+    plan, told = plan_adaptation(task), BlendingSettings()
     moves = [about_base(0.0), about_base(-60.0), about_base(70.0)]
-    rough = smooth_way(prepare(plan.ways.path, plan.ways.held, settings), moves)
-    even = smooth_way(prepare(plan.ways.path, plan.ways.held, settings, 0.0), moves)
-    assert 0.0 < np.max(distance_between(rough, even)) <= settings.even_m
+    rough = smooth_way(prepare(plan.ways.path, plan.ways.held, told), moves)
+    even = smooth_way(prepare(plan.ways.path, plan.ways.held, told, 0.0), moves)
+    assert 0.0 < np.max(distance_between(rough, even)) <= told.even_m
     assert rms_jerk(even[:, :3], 0.02) < rms_jerk(rough[:, :3], 0.02)
     for first, last in plan.ways.held:
         assert np.array_equal(rough[first : last + 1], even[first : last + 1])
+
+
+def test_no_more_is_evened_than_jerk_asks_for() -> None:
+    """What jerk is left, computed from the path itself, is what was allowed."""
+    ways = plan_adaptation(learned(noise_m=0.0005)).ways
+    moves = [about_base(0.0), about_base(-20.0), about_base(25.0)]
+    rough = smooth_way(replace(ways, most=np.inf), moves)
+    allowed = 0.9 * jerk_between(ways, rough)
+    even = smooth_way(replace(ways, most=allowed), moves)
+    assert jerk_between(ways, even) == pytest.approx(allowed, rel=1e-9)
+
+
+def jerk_between(ways: Ways, path: Array) -> float:
+    """Return the sum of squared third differences within the ways."""
+    found = 0.0
+    for (_, first), (last, _) in itertools.pairwise(ways.held):
+        found += float(np.sum(np.diff(path[first + 1 : last, :3], n=3, axis=0) ** 2))
+    return found
+
+
+@given(seed=st.integers(0, 10_000), polar=st.booleans())
+@settings(max_examples=20, deadline=None)
+def test_a_way_is_what_its_description_says(seed: int, polar: bool) -> None:
+    """The plain computation, way by way and sample by sample, gives the same path."""
+    rng = np.random.default_rng(seed)
+    ways = plan_adaptation(learned()).ways
+    # Neither pressed outward nor evened out.
+    ways = replace(ways, keep=-np.inf, most=np.inf, polar=polar)
+    away = rng.uniform((-100, -100, -80, -20, -20, -90), (60, 100, 50, 20, 20, 90), (3, 6))
+    turns = [about_base(float(one)) for one in rng.uniform(-60.0, 60.0, 3)]
+    moves = compose(np.array(turns), pose_from_mm_deg(away[:, :3], away[:, 3:]))
+    path = smooth_way(ways, moves.tolist())
+    for k, (first, last) in enumerate(ways.held):
+        rigid = compose(moves[k], ways.path[first : last + 1])
+        assert np.max(distance_between(path[first : last + 1], rigid)) < 1e-12
+        assert np.max(angle_between(path[first : last + 1], rigid)) < 1e-7
+    for k, ((_, first), (last, _)) in enumerate(itertools.pairwise(ways.held)):
+        plain = plain_way(ways, (first, last), moves[k], moves[k + 1], k)
+        assert np.max(distance_between(path[first + 1 : last], plain)) < 1e-12
+        assert np.max(angle_between(path[first + 1 : last], plain)) < 1e-7
+
+
+def plain_way(ways: Ways, span: tuple[int, int], here: Array, there: Array, k: int) -> Array:
+    first, last = span
+    share = np.arange(1, last - first) / (last - first)
+    made, joining = least_jerk(share)[:, None], quintic(share, last - first)
+    shown = ends_of(ways.path, first, last)
+    added = ways.path[first + 1 : last, :3] - joining @ shown
+    ends = [ends_of(compose(move, ways.path), first, last) for move in (here, there)]
+    upright = [rotate_vector(vertical_part(move), added) for move in (here, there)]
+    xyz = joining @ np.vstack([ends[0][:3], ends[1][3:]])
+    xyz += (1.0 - made) * upright[0] + made * upright[1]
+    azimuths = [azimuth(move, ways.middles[k + j]) for j, move in enumerate((here, there))]
+    azimuths = azimuths if ways.polar else [0.0, 0.0]
+    backs = np.array([about_base(-float(np.rad2deg(one))) for one in azimuths])
+    rests = compose(backs, np.stack([here, there]))
+    arcs = interpolate(rests[0], rests[1], made[:, 0])
+    swung = azimuths[0] + (azimuths[1] - azimuths[0]) * made[:, 0]
+    quats = quat_multiply(quat_from_rotvec(swung[:, None] * np.array([0.0, 0.0, 1.0])), arcs[:, 3:])
+    return np.hstack([xyz, quat_multiply(quats, ways.path[first + 1 : last, 3:])])
+
+
+def ends_of(path: Array, first: int, last: int) -> Array:
+    """Return value, slope and curvature at both ends."""
+    rows: list[Array] = []
+    for at in (first, last):
+        before, here, after = path[np.clip([at - 1, at, at + 1], 0, len(path) - 1), :3]
+        rows += [here, (after - before) / 2.0, before - 2.0 * here + after]
+    return np.array(rows)
+
+
+def vertical_part(move: Array) -> Array:
+    return quat_normalize(np.array([0.0, 0.0, move[5], move[6]]))
+
+
+def azimuth(move: Array, middle: list[float]) -> float:
+    x, y, _ = compose(move, np.array([*middle, 0.0, 0.0, 0.0, 1.0]))[:3]
+    return float(np.arctan2(y, x) - np.arctan2(middle[1], middle[0]))
 
 
 def test_ways_next_to_each_other_need_no_samples_between() -> None:
