@@ -94,8 +94,7 @@ class SimulatedArm:
         self._q = joints_at(setup.robot_start.pose)
         self._hand = forward(self._q)
         self._playback, self._carried = None, ""
-        self._now_s, self._grip = 0.0, Grip()
-        self._supposed, self._fresh = None, True
+        self._now_s, self._grip, self._supposed, self._fresh = 0.0, Grip(), None, True
         self._rest()
         bodies = self._noise.misplaced(self._told, scene) if self._noise else dict(self._told)
         self.world.arrange(scene, bodies, self._q)
@@ -286,10 +285,11 @@ class SimulatedArm:
     def _report(
         self, kind: ReportKind, text: str = "", name: str = "", target: str = ""
     ) -> ArmReport:
-        at_s = self._now_s - self._began_s
-        return ArmReport(kind, at_s, self._primitive, text, name, target)
+        return ArmReport(kind, self._now_s - self._began_s, self._primitive, text, name, target)
 
     def _halt(self, kind: ReportKind, text: str, name: str = "", target: str = "") -> ArmReport:
+        # Halted while the fingers opened, it was let go all the same.
+        self._carried = self._carried if self.world.held() or self._grip.share > EASED else ""
         self._playback = None
         return self._report(kind, text, name, target)
 

@@ -158,7 +158,7 @@ class Mover:
         order = () if self._run is None else self._run.order
         task, look = in_order(effect.task, order), self.look
         whole = paths.adapted(task, effect.scene, effect.setup, effect.speed)
-        rest = paths.rest_of(whole, look, self._primitive_at)
+        rest = paths.rest_of(whole, look, self._primitive_at, effect.scene)
         found = self._equipment.planner.plan(rest, effect.scene, effect.setup, look)
         return Planned(task, order, whole, found)
 
@@ -192,7 +192,7 @@ class Mover:
         if not anew or self._run is None:
             return None
         look = self.look
-        rest = paths.rest_of(self._run.path, look, self._primitive_at)
+        rest = paths.rest_of(self._run.path, look, self._primitive_at, self.scene)
         found = self._equipment.planner.plan(rest, self.scene, self.setup, look)
         if isinstance(found, Refusal):
             return found

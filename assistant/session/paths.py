@@ -29,6 +29,8 @@ JOG_M_S, JOG_RAD_S = 0.05, 0.3
 SHORTEST_S = 0.4
 AROUND_M = 0.05
 """A shown grasp or release is constrained over so much of the way to and from it."""
+OPENED_M = 1e-4
+"""Fingers this close to where they open to have opened."""
 NEAR_GRASP_M = 0.03
 """A hand this close to where it would grasp a body closes on it."""
 
@@ -82,7 +84,7 @@ def _primitives_shown(task: Task, t_s: Array) -> Indices:
     return found
 
 
-def rest_of(path: HandPath, look: ArmLook, primitive_at: int) -> HandPath:
+def rest_of(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> HandPath:
     """Return what is left of a path, led to from where the arm is.
 
     Parameters
@@ -93,8 +95,9 @@ def rest_of(path: HandPath, look: ArmLook, primitive_at: int) -> HandPath:
         Where the arm was halted.
     primitive_at : int
         The primitive it was in; -1 for none.
+    scene : Scene
     """
-    start = _nearest(path, look, primitive_at)
+    start = _nearest(path, look, primitive_at, scene)
     lead = _straight(look.hand, path.path[start])
     lead_t = STEP_S * np.arange(len(lead), dtype=float)
     t_s = np.concatenate([lead_t, lead_t[-1] + STEP_S + path.t_s[start:] - path.t_s[start]])
@@ -107,7 +110,7 @@ def rest_of(path: HandPath, look: ArmLook, primitive_at: int) -> HandPath:
     )
 
 
-def _nearest(path: HandPath, look: ArmLook, primitive_at: int) -> int:
+def _nearest(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> int:
     apart = distance_between(path.path, look.hand) + 0.1 * angle_between(path.path, look.hand)
     if primitive_at >= 0:
         apart = np.where(path.primitive_at == primitive_at, apart, np.inf)
@@ -115,7 +118,26 @@ def _nearest(path: HandPath, look: ArmLook, primitive_at: int) -> int:
         # A body in the hand was grasped already; one on the table has to be grasped yet.
         if stop.kind == "grasp" and stop.object == look.held:
             apart[: stop.at + 1] = np.inf
+        # What was let go where it belongs is not taken there again: the ways to and from a
+        # place lie so close that the nearest sample may be one before.
+        if path.primitive_at[stop.at] == primitive_at and _let_go(path, stop, look, scene):
+            apart[: stop.at + _opened(path, stop, look)] = np.inf
+            apart[stop.at + 1 :] += 0.0 if _opened(path, stop, look) else np.inf
     return int(np.argmin(apart))
+
+
+def _opened(path: HandPath, stop: HandStop, look: ArmLook) -> bool:
+    """Return whether the fingers are as far apart as a release leaves them."""
+    return bool(look.gripper_m > path.gripper_m[stop.left_at] - OPENED_M)
+
+
+def _let_go(path: HandPath, stop: HandStop, look: ArmLook, scene: Scene) -> bool:
+    """Return whether a body is out of the hand and where a release leaves it."""
+    body, pose = scene.bodies.get(stop.object), look.bodies.get(stop.object)
+    if stop.kind != "release" or body is None or pose is None or look.held == stop.object:
+        return False
+    left = path.path[stop.at]
+    return float(distance_between(compose(pose, body.hand_in_body), left)) < NEAR_GRASP_M
 
 
 def _moved(stop: HandStop, by: int) -> HandStop:

@@ -13,6 +13,7 @@ from assistant.model.task import Subtask, Task
 from assistant.ports import ArmLook
 from assistant.session import paths
 
+SCENE = Scene(bodies={"block": Body("block")})
 READY = np.array([0.4064, 0.0, 0.635, 0.0, 0.0, 0.0, 1.0])
 
 
@@ -36,7 +37,7 @@ def line_path(count: int = 201) -> HandPath:
 def test_the_rest_begins_where_the_arm_is_and_ends_as_planned(along: float, aside: float) -> None:
     whole = line_path()
     hand = READY + np.array([aside, along, 0, 0, 0, 0, 0])
-    rest = paths.rest_of(whole, look(hand), -1)
+    rest = paths.rest_of(whole, look(hand), -1, SCENE)
     np.testing.assert_allclose(rest.path[0], hand)
     np.testing.assert_allclose(rest.path[-1], whole.path[-1])
     assert rest.t_s[0] == 0.0
@@ -47,15 +48,15 @@ def test_the_rest_begins_where_the_arm_is_and_ends_as_planned(along: float, asid
 
 def test_what_was_passed_is_not_done_again() -> None:
     whole = line_path()
-    before = paths.rest_of(whole, look(whole.path[60]), 0)
+    before = paths.rest_of(whole, look(whole.path[60]), 0, SCENE)
     assert [stop.object for stop in before.stops] == ["block"]
     np.testing.assert_allclose(before.path[before.stops[0].at], whole.path[100])
-    assert paths.rest_of(whole, look(whole.path[140], held="block"), 1).stops == ()
+    assert paths.rest_of(whole, look(whole.path[140], held="block"), 1, SCENE).stops == ()
 
 
 def test_a_body_in_the_hand_is_not_grasped_twice() -> None:
     whole = line_path()
-    rest = paths.rest_of(whole, look(whole.path[99], held="block"), -1)
+    rest = paths.rest_of(whole, look(whole.path[99], held="block"), -1, SCENE)
     assert rest.stops == ()
 
 

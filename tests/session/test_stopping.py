@@ -107,3 +107,25 @@ def test_a_session_taken_up_again_while_going_home_stands(
     again.hear("start")
     assert again.moving
     again.close()
+
+
+def test_what_was_let_go_is_not_let_go_again_after_a_halt(
+    moving: tuple[Session, Heard],
+) -> None:
+    session, heard = moving
+    look = session.mover.look
+    for wanted in ("block", ""):
+        # Until the hand has closed on it, then until the fingers are on their way apart.
+        while look.held != wanted or (not wanted and look.gripper_m < 0.06):
+            assert session.moving
+            session.tick()
+            look = session.mover.look
+    heard.lines.clear()
+    session.hear("pause")
+    session.rest()
+    session.hear("slower")
+    session.hear("resume")
+    session.rest()
+    assert "done.run" in heard.topics
+    assert not any(topic.startswith("stopped") for topic in heard.topics)
+    assert session.dialogue.runs[-1].missing == ()
