@@ -117,17 +117,18 @@ def _frames(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Rows:
     _check_places(plan.stations, setup)
     used = {station.frame for station in plan.stations}
     now = {name: _hand(scene, name, place) for name, place in setup.places.items() if name in used}
-    in_hand: dict[str, list[float]] = {}
+    in_hand: dict[str, Floats] = {}
     out: Rows = []
-    for station, hand_in_frame in zip(plan.stations, plan.hands, strict=True):
+    for k, (station, hand_in_frame) in enumerate(zip(plan.stations, plan.hands, strict=True)):
         frame = now[station.frame]
         out.append(frame)
         if station.kind == "grasp":
-            # The frame as seen from the hand goes with the hand until it lets go.
-            in_hand[station.object] = inverted(hand_in_frame)
+            in_hand[station.object] = hand_in_frame
         elif station.kind == "release" and station.object in in_hand:
-            hand = composed(frame, hand_in_frame)
-            now[station.object] = composed(hand, in_hand.pop(station.object))
+            held = in_hand.pop(station.object)
+            if any(later.frame == station.object for later in plan.stations[k + 1 :]):
+                # The frame as seen from the hand went with the hand until it let go.
+                now[station.object] = composed(composed(frame, hand_in_frame), inverted(held))
     return out
 
 
