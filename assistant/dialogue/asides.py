@@ -11,7 +11,14 @@ from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.naming import listed_steps, tidy_name
-from assistant.dialogue.plan_words import added, called, order_freed
+from assistant.dialogue.plan_words import (
+    added,
+    called,
+    order_freed,
+    removed,
+    shown_again,
+    swapped,
+)
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.several import told_several
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
@@ -195,6 +202,9 @@ _REPLIES = (
     plan_corrected,
     called,
     added,
+    removed,
+    swapped,
+    shown_again,
     order_freed,
     told_several,
     slip,

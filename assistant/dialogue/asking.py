@@ -185,9 +185,24 @@ def learn(dialogue: Dialogue) -> Turn:
     known = dialogue.known
     if introduction.need(replace(known, tree_confirmed=True)) is not None:
         return proceed(replace(dialogue, state=Introducing("confirm_tree")))
+    known = _fitting(known)
+    dialogue = replace(dialogue, known=known)
     effect = Learn(known.task, known.demonstrations, known.cuts_s, known.assigned)
     thinking = replace(dialogue, state=Thinking(), pending=None)
     return then(say(thinking, line("report", "learning", about=About(known.name))), effect)
+
+
+def _fitting(known: Knowledge) -> Knowledge:
+    """Return what is known with the cuts and parts told by hand only as far as they still fit.
+
+    Parts of a step that is gone are free again. Where a step is new that has no part yet, all
+    are: its own must be found.
+    """
+    now = {node.name for _, node in leaves(known.root)}
+    before = {node.name for _, node in leaves(known.learned_root or known.root)}
+    if now - before - {name for _, name in known.assigned}:
+        return replace(known, cuts_s=None, assigned=())
+    return replace(known, assigned=tuple(one for one in known.assigned if one[1] in now))
 
 
 def begin_run(dialogue: Dialogue, *, look: bool = False) -> Turn:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
@@ -92,10 +92,35 @@ def with_name(act: TeacherAct, old: str, new: str) -> TeacherAct:
     return replace(act, **told)
 
 
-def edited(dialogue: Dialogue, label: str, root: Sketch, told: RobotAct) -> Turn:
-    """Keep a changed tree and tell it."""
-    known = all_understood(with_roles(replace(dialogue.known, root=root)))
+def edited(
+    dialogue: Dialogue,
+    label: str,
+    root: Sketch,
+    told: RobotAct,
+    *,
+    now: Mapping[str, str] | None = None,
+) -> Turn:
+    """Keep a changed tree and tell it.
+
+    Parameters
+    ----------
+    now : mapping of str to str, optional
+        Where the demonstration stays cut as it was: what steps became, by their old names.
+        The parts of those that are gone are given to others.
+    """
+    known = dialogue.known if now is None else _as_cut(dialogue.known, now)
+    known = all_understood(with_roles(replace(known, root=root)))
     return settle(changed(dialogue, label, known), told)
+
+
+def _as_cut(known: Knowledge, now: Mapping[str, str]) -> Knowledge:
+    """Return what is known with the cuts and parts of the lesson fixed, as steps are called now."""
+    if known.lesson is None:
+        return known
+    episodes = known.lesson.segmentation.episodes
+    parts = enumerate((one.primitive or "" for one in episodes), start=1)
+    assigned = tuple((number, now.get(name, name)) for number, name in parts if name)
+    return replace(known, cuts_s=tuple(one.to_s for one in episodes[:-1]), assigned=assigned)
 
 
 def name_at(known: Knowledge, index: Index) -> str:

@@ -34,7 +34,7 @@ def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
         again = replace(still, known=replace(known, tree_confirmed=False))
         return first(halting, proceed(replace(again, state=Introducing("confirm_tree"))))
     if missing is not None:
-        told = line("error", "not_introduced")
+        told = line("error", "not_introduced" if known.lesson is None else "plan_open")
         return first(halting, first(say(still, told)[1], ask(replace(still, state=missing))))
     confirmed = replace(still, known=replace(known, tree_confirmed=True))
     if stage == "demonstration":

@@ -114,7 +114,12 @@ def merge(dialogue: Dialogue, named: tuple[str, ...]) -> Turn:
     left = (*node.parts[: spots[0] - 1], one, *node.parts[spots[-1] :])
     root = put(known.root, parent, with_parts(node, left))
     told = line("done", "merged", names=[part.name for part in parts], name=one.name)
-    return edited(dialogue, "merged", root, told)
+    return edited(dialogue, "merged", root, told, now=dict.fromkeys(_leaves_of(parts), one.name))
+
+
+def _leaves_of(parts: tuple[Sketch, ...]) -> list[str]:
+    """Return the names of the single motions that become one; those below others stay."""
+    return [] if any(part.parts for part in parts) else [part.name for part in parts]
 
 
 def _joined(parts: tuple[Sketch, ...], language: str) -> Sketch:

@@ -12,15 +12,16 @@ from functools import cache
 from assistant.dialogue.asking import question
 from assistant.dialogue.doubting import is_guess
 from assistant.dialogue.finding import find, name_at, unclear
+from assistant.dialogue.going_back import go_back
 from assistant.dialogue.naming import alike, tidy, tidy_name
 from assistant.dialogue.referring import lost_number, with_names
-from assistant.dialogue.sketch import names
+from assistant.dialogue.sketch import names, walk
 from assistant.dialogue.state import Dialogue
 from assistant.dialogue.structure import add_inside, edit
 from assistant.dialogue.things import bare
-from assistant.dialogue.turn import Turn, Words
+from assistant.dialogue.turn import Turn, Words, first, line, say
 from assistant.language.asides import frees_order
-from assistant.language.hints import hints
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Index
 
@@ -29,7 +30,56 @@ def added(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -
     """Add a step at an end of the plan, or as part of another; None for other talk."""
     if _asks_between(dialogue) or not dialogue.known.root.parts or "?" in words.text:
         return None
-    return _at_end(dialogue, words.text) or _as_part(dialogue, words.text)
+    text = words.text
+    return _at_end(dialogue, text) or _beside(dialogue, text) or _as_part(dialogue, text)
+
+
+def removed(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
+    """Take a step out that is called by its name while another name is asked for."""
+    asked = question(dialogue)
+    if _asks_between(dialogue) or asked is None or asked.asked not in ("subtask_name", "actions"):
+        return None
+    marks = _any("removes", dialogue.language)
+    text = with_names(dialogue, words.text)
+    told = re.match(rf"{_leads(dialogue.language)}(?:{marks})\s+(.+?)\W*$", text, re.IGNORECASE)
+    name = bare(told.group(1), dialogue.language) if told else ""
+    if not alike(name, names(dialogue.known.root)):
+        return None
+    return edit(dialogue, acts.RemoveSubtask(name))
+
+
+def swapped(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
+    """Exchange two steps that are called by their names; None for things and other talk."""
+    if _asks_between(dialogue) or not mentions(words.text, hints("swaps_steps", dialogue.language)):
+        return None
+    root, text = dialogue.known.root, with_names(dialogue, words.text).lower()
+    told = [(index, node.name) for index, node in walk(root) if index and node.name]
+    said = [one for one in told if mentions(text, (one[1],))] or _in_part(dialogue, text)
+    if len(said) != 2 or said[0][0][:-1] != said[1][0][:-1]:
+        return None
+    (here, one), (there, other) = said
+    return edit(dialogue, acts.Ordered(other, one)) if there[-1] == here[-1] + 1 else None
+
+
+def _in_part(dialogue: Dialogue, text: str) -> list[tuple[Index, str]]:
+    """Return the steps that pieces of a text name by some of their words."""
+    joints = "|".join(re.escape(one) for one in hints("joins", dialogue.language))
+    pieces = re.split(joints, re.sub(_any("swaps_steps", dialogue.language), " ", text))
+    found = [find(dialogue.known, piece) for piece in pieces if piece.strip()]
+    return [(one, name_at(dialogue.known, one)) for one in sorted(filter(None, found))]
+
+
+def shown_again(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
+    """Watch the task again for the sake of one step; None where none is named."""
+    if _asks_between(dialogue) or not dialogue.known.demonstrations or dialogue.busy:
+        return None
+    shows, again = _any("shows", dialogue.language), _any("once_more", dialogue.language)
+    told = re.search(rf"\b(?:{shows})\s+(.+?)\s+(?:{again})\b", words.text, re.IGNORECASE)
+    index = find(dialogue.known, bare(with_names(dialogue, told.group(1)))) if told else None
+    if index is None:
+        return None
+    said = line("told", "step_again", name=name_at(dialogue.known, index))
+    return first(say(dialogue, said)[1], go_back(dialogue, "demonstration"))
 
 
 def called(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
@@ -82,6 +132,22 @@ def _at_end(dialogue: Dialogue, text: str) -> Turn | None:
     return None
 
 
+def _beside(dialogue: Dialogue, text: str) -> Turn | None:
+    """Add a step before or after another: "add a step before let go called wait"."""
+    text = with_names(dialogue, text)
+    hits = (pattern.match(text) for pattern in _besides(dialogue.language))
+    found = next((hit for hit in hits if hit is not None), None)
+    if found is None:
+        return None
+    where, name = found.group("where"), bare(found.group("name"), dialogue.language)
+    if not name or not alike(bare(where, dialogue.language), names(dialogue.known.root)):
+        return None
+    after = found.group("after") is not None
+    where = bare(where, dialogue.language)
+    beside = {"after": where} if after else {"before": where}
+    return edit(dialogue, acts.AddSubtask(name, **beside))
+
+
 def _as_part(dialogue: Dialogue, text: str) -> Turn | None:
     """Add a part to a step: "add a look inside the first step"."""
     text = with_names(dialogue, text)
@@ -110,6 +176,19 @@ def _inside(language: str) -> re.Pattern[str]:
     return re.compile(
         rf"{_leads(language)}{verbs}\s+{_new(language)}\s+{inside}{_adds_end(language)}",
         re.IGNORECASE,
+    )
+
+
+@cache
+def _besides(language: str) -> tuple[re.Pattern[str], ...]:
+    """Return patterns for a step whose name comes last, and for one whose name comes first."""
+    place = rf"(?:(?P<after>{_any('after_step', language)})|(?:{_any('before_step', language)}))"
+    begun = rf"{_leads(language)}(?:{_any('adds', language)})\s+"
+    last = rf"(?:{_any('new_step_words', language)})\s+{place}\s+(?P<where>.+?)"
+    last += rf"\s+(?:{_any('called', language)})\s+(?P<name>.+?)"
+    soon = rf"{_new(language)}\s+{place}\s+(?P<where>.+?)"
+    return tuple(
+        re.compile(begun + told + _adds_end(language), re.IGNORECASE) for told in (last, soon)
     )
 
 

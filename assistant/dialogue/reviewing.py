@@ -157,6 +157,8 @@ def _yes(dialogue: Dialogue, state: Reviewing) -> Turn:
         node = replace(at(root, index), order="any")
         known = replace(dialogue.known, root=put(root, index, node))
         return next_question(changed(dialogue, "unordered", known), state)
+    if names_new_step(state):
+        return tell(dialogue, line("told", "name_it"))
     if head.asked == "missing_step":
         return _show_again(dialogue, head.about)
     return next_question(dialogue, state)

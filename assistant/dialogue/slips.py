@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.introduction import all_understood
+from assistant.dialogue.naming import is_nothing
 from assistant.dialogue.sketch import at, counted, put
 from assistant.dialogue.state import Dialogue, Introducing, Pending
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
@@ -54,7 +55,8 @@ def _begun_anew(dialogue: Dialogue) -> Turn:
 def _fewer(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
     """Take it that there are no more steps than were named, or none below the step."""
     known, parent, named = dialogue.known, state.index[:-1], state.index[-1] - 1
-    if named and _tells(dialogue, words, "no_more_steps"):
+    no_more = _tells(dialogue, words, "no_more_steps") or is_nothing(words.text, dialogue.language)
+    if named and no_more:
         root = put(known.root, parent, counted(at(known.root, parent), named))
         told = line("done", "counted", count=named)
         after = changed(dialogue, "subtask_count", replace(known, root=root))

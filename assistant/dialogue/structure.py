@@ -212,4 +212,4 @@ def _remove(dialogue: Dialogue, name: str) -> Turn:
     if parent and not any(part.name for part in at(root, parent).parts):
         # What has no named part left is a step like any other again.
         root = put(root, parent, with_parts(at(root, parent), ()))
-    return edited(dialogue, "removed", root, line("done", topic, name=told))
+    return edited(dialogue, "removed", root, line("done", topic, name=told), now={})

@@ -95,3 +95,36 @@ def test_german_words_change_the_plan() -> None:
     assert "wackeln" in names(teacher.dialogue.known.root)
     teacher.tell("der zweite Schritt heißt abgeben")
     assert "abgeben" in names(teacher.dialogue.known.root)
+
+
+def test_words_that_change_the_plan_are_no_name() -> None:
+    teacher = Lessons().open().tell("task").tell("done").tell(("block", "target"))
+    teacher.tell(3).tell("grasp the block")
+    teacher.tell("add a step before grasp the block called approach the block")
+    assert names(teacher.dialogue.known.root)[:2] == ("approach the block", "grasp the block")
+    teacher.tell("remove grasp the block")
+    assert "grasp the block" not in names(teacher.dialogue.known.root)
+    assert teacher.tell("remove the lid").dialogue.known.root.parts[1].name == "remove the lid"
+
+
+def test_no_more_is_an_answer_once_a_step_is_named() -> None:
+    teacher = Lessons().open().tell("task").tell("done").tell(("block", "target"))
+    assert teacher.tell(3).tell("none").topics[0] == "error.not_an_answer"
+    teacher.tell("grasp the block").tell("none")
+    assert names(teacher.dialogue.known.root) == ("grasp the block",)
+
+
+def test_two_steps_called_by_name_are_exchanged_and_shown_anew() -> None:
+    teacher = Lessons().ready().tell(f"switch {STEPS[0]} and {STEPS[1]}")
+    assert names(teacher.dialogue.known.root.parts[0])[:2] == (STEPS[1], STEPS[0])
+    assert teacher.topics == ["done.ordered", "ask.show_again_now"]
+    # Things change places, not steps.
+    kept = Lessons().ready().tell("swap the block and the target").dialogue.known.root
+    assert names(kept.parts[0]) == STEPS[:3]
+
+
+@pytest.mark.parametrize("text", ["let me show you the second step again", "I show it anew"])
+def test_one_step_shown_again_is_told_to_need_the_whole(text: str) -> None:
+    teacher = Lessons().ready().hear(acts.GoBack("demonstration"), text=text)
+    assert teacher.asked == "ready"
+    assert ("told.step_again" in teacher.topics) == ("second" in text)

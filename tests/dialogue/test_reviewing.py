@@ -162,3 +162,39 @@ def test_none_is_no_missing_step() -> None:
     missing = Question("missing_step", STEPS[2], "never_shown", {"introduced": 5, "shown": 4})
     teacher = Lessons().learned(missing)
     assert teacher.tell("none").topics == ["confirm.segmentation"]
+
+
+def test_yes_is_no_name_of_a_step_that_nobody_introduced() -> None:
+    facts = {"from_s": 4.0, "to_s": 6.0, "introduced": 5, "shown": 6}
+    teacher = Lessons().learned(Question("missing_step", "", "never_introduced", facts))
+    teacher.hear(acts.Affirm())
+    assert teacher.topics == ["told.name_it", "ask.missing_step.never_introduced"]
+
+
+def _wanted(teacher: Lessons) -> fx.Learn:
+    return next(one for one in teacher.effects if isinstance(one, fx.Learn))
+
+
+def test_steps_merged_or_taken_out_leave_the_cuts_where_they_were() -> None:
+    merging = _wanted(Lessons().ready().hear(acts.Merge(STEPS[1:3])))
+    one = f"{STEPS[1]} and {STEPS[2]}"
+    assert merging.cuts_s == (2.0, 4.0, 6.0, 8.0)
+    assert dict(merging.assigned) == {1: STEPS[0], 2: one, 3: one, 4: STEPS[3], 5: STEPS[4]}
+    removing = _wanted(Lessons().ready().hear(acts.RemoveSubtask(STEPS[2])))
+    assert removing.cuts_s == (2.0, 4.0, 6.0, 8.0)
+    assert 3 not in dict(removing.assigned)
+
+
+def test_parts_told_by_hand_are_free_where_a_step_is_new() -> None:
+    teacher = Lessons().ready().hear(acts.Assign(3, "grasp object"))
+    assert dict(_wanted(teacher).assigned)[3] == "grasp object"
+    teacher.happen(ev.Learned(lesson())).hear(acts.Affirm())
+    teacher.hear(acts.AddSubtask("turn left", after="move up object"))
+    assert _wanted(teacher).cuts_s is None
+    assert _wanted(teacher).assigned == ()
+
+
+def test_who_must_finish_the_plan_is_told_how_to_leave_it_as_it_was() -> None:
+    teacher = Lessons().ready().hear(acts.Split("grasp object")).hear(acts.GoBack("practice"))
+    assert teacher.topics[0] == "error.plan_open"
+    assert teacher.hear(acts.Undo()).asked == "ready"
