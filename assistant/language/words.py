@@ -82,11 +82,13 @@ def _share(found: re.Match[str]) -> str:
     return f"{above / below:.12g}" if 0 < above < below else found.group()
 
 
+_WITHIN_DIGITS = re.compile(r"(?<=\d),(?=\d)")
+
+
 def _separated(text: str) -> str:
     """Put a space between a number and its unit, and take thousands of commas out."""
-    text = (
-        re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if text.count(",") == 1 else text
-    )
+    lone = len(_WITHIN_DIGITS.findall(text)) == 1
+    text = re.sub(r"(?<=\d),(?=\d{1,2}(?!\d))(?!\d,\d)", ".", text) if lone else text
     text = re.sub(r"(?<![\d½¼¾])\"", " ", text)
     text = _SHARES.sub(_share, text)
     text = re.sub(r"(?<![a-z\d])x(?=\d)", "x ", text)
