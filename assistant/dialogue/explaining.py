@@ -1,65 +1,79 @@
-"""Why, how, and show: answers from the lesson's own data."""
+"""Why and how: answers from the lesson's own data."""
 
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue.agreeing import disagreement
-from assistant.dialogue.asking import PRACTICE, index_of, places, question, tell
-from assistant.dialogue.conditions import expected, plain_conditions
-from assistant.dialogue.correcting import plain_feedback, speed_of
-from assistant.dialogue.directions import direction_of
+from assistant.dialogue.asking import index_of, tell
 from assistant.dialogue.finding import find
 from assistant.dialogue.reporting import refusal_line
-from assistant.dialogue.reviewing import read_back
-from assistant.dialogue.state import Dialogue, Knowledge, Pending, Reviewing
-from assistant.dialogue.turn import Turn, line, node_or_blank, plain_action, plain_tree
+from assistant.dialogue.state import Dialogue, Ran, Ready, Running
+from assistant.dialogue.turn import Turn, line, node_or_blank
+from assistant.dialogue.whereabouts import doing_next, doing_now, pace, why_asked, why_still
 from assistant.language.hints import hints, matter, mentions
-from assistant.model.feedback import Feedback
 from assistant.model.lesson import Episode, Lesson, SegmentationPoint
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
-from assistant.model.teacher_acts import Again, Explain, Show
+from assistant.model.teacher_acts import Explain
+
+ACTS = {"grasp": "close", "release": "open"}
+SAME_S = 0.05
+"""An episode ends at a cut that is so near."""
 
 
 def explain(dialogue: Dialogue, act: Explain) -> Turn:
     """Answer a why or how question."""
     topic = matter(act.text, "explain", dialogue.language)
-    lesson = dialogue.known.lesson
     named = _named(dialogue, act.text)
-    told: RobotAct | None = None
-    if topic == "refusal" and dialogue.refusal is not None:
-        told = refusal_line("explain", dialogue.refusal)
-    elif topic == "agreement":
-        told = disagreement(dialogue) or line("explain", "agreed")
-    elif topic == "pace" and not named:
-        told = _pace(dialogue)
-    elif topic == "now":
-        told = _now(dialogue)
-    elif topic == "next":
-        told = _next(dialogue)
-    elif topic == "detour" and dialogue.run is not None and dialogue.run.note:
-        told = line("explain", "detour", note=dialogue.run.note)
-    elif topic == "stop" and dialogue.arm in ("stopped", "paused"):
-        told = _why_halted(dialogue)
-    elif (
-        topic == "learned"
-        and lesson is None
-        and mentions(act.text, hints("questions", dialogue.language))
-    ):
-        told = line("error", "nothing_learned")
-    elif lesson is not None:
+    told = _of_the_moment(dialogue, topic, named, act.text)
+    lesson = dialogue.known.lesson
+    if told is None and lesson is not None:
         told = _from_lesson(dialogue, lesson, topic, named, act.text)
-    return tell(dialogue, told or _why_asked(dialogue))
+    return tell(dialogue, told or why_asked(dialogue))
+
+
+def _of_the_moment(dialogue: Dialogue, topic: str, named: str, text: str) -> RobotAct | None:
+    """Answer what does not come from the lesson; None for the rest."""
+    match topic:
+        case "refusal" | "detour":
+            return _way_taken(dialogue, topic, named)
+        case "agreement":
+            return disagreement(dialogue) or line("explain", "agreed")
+        case "pace" if not named:
+            return pace(dialogue)
+        case "now":
+            return doing_now(dialogue)
+        case "next":
+            return doing_next(dialogue)
+        case "stop":
+            return why_still(dialogue)
+        case "learned" if dialogue.known.lesson is None:
+            asked = mentions(text, hints("questions", dialogue.language))
+            return line("error", "nothing_learned") if asked else None
+        case _:
+            return None
+
+
+def _way_taken(dialogue: Dialogue, topic: str, named: str) -> RobotAct | None:
+    """Tell why a run was refused, or went another way than shown; or that it was not."""
+    if topic == "refusal" and dialogue.refusal is not None:
+        return refusal_line("explain", dialogue.refusal)
+    practicing = isinstance(dialogue.state, Ready | Ran | Running)
+    if not practicing or named or dialogue.run is None:
+        return None
+    if topic == "refusal":
+        return line("explain", "no_refusal")
+    note = dialogue.run.note
+    return line("explain", "detour", note=note) if note else line("explain", "no_detour")
 
 
 def _from_lesson(
     dialogue: Dialogue, lesson: Lesson, topic: str, named: str, text: str
 ) -> RobotAct | None:
     if topic == "sure":
-        return _how_sure(lesson)
+        return _how_sure_of(dialogue, lesson, named) if named else _how_sure(lesson)
     if topic == "cut":
         return _cut(dialogue, lesson, named, text)
     if topic in ("assignment", "refusal") or named:
@@ -130,7 +144,14 @@ def _assignment(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> Ro
     if not chosen:
         return line("explain", "never_seen", name=named) if named else None
     at, one = max(chosen, key=lambda pair: pair[1].to_s - pair[1].from_s)
-    return line("explain", "assignment", about=_about(dialogue, named), **_episode(at, one))
+    slots = _episode(at, one) | {"event": _event(lesson, one.primitive)}
+    return line("explain", "assignment", about=_about(dialogue, named), **slots)
+
+
+def _event(lesson: Lesson, name: str | None) -> dict[str, str]:
+    """Return what the hand did in a step, as an action in plain values; empty if nothing."""
+    did = [one for one in lesson.stations if one.primitive == name and one.kind in ACTS]
+    return {"hand": ACTS[did[0].kind], "object": did[0].frame} if did else {}
 
 
 def _episode(at: int, one: Episode) -> dict[str, Any]:
@@ -161,13 +182,27 @@ def _how_sure(lesson: Lesson) -> RobotAct:
     )
 
 
+def _how_sure_of(dialogue: Dialogue, lesson: Lesson, name: str) -> RobotAct:
+    """Tell how sure it is that a step was shown, and where it ends."""
+    found = lesson.segmentation
+    parts = [one for one in found.episodes if one.primitive == name]
+    if not parts:
+        return line("explain", "never_seen", name=name)
+    last = parts[-1]
+    ends = [one for one in found.points if one.kept and abs(one.at_s - last.to_s) < SAME_S]
+    slots = _episode(found.episodes.index(last) + 1, last)
+    slots["confidence"] = round(ends[0].confidence, 2) if ends else None
+    return line("explain", "sure_of", about=_about(dialogue, name), **slots)
+
+
 def _summary(dialogue: Dialogue, lesson: Lesson) -> RobotAct:
     return line(
         "explain",
         "learned",
         task=dialogue.known.name,
         count=len(primitives(dialogue.known.task.tree)),
+        names=[leaf.name for leaf in primitives(dialogue.known.task.tree)],
         cuts=len(lesson.segmentation.cuts_s),
         things=list(dict.fromkeys(station.frame for station in lesson.stations)),
-        corrections=len(lesson.feedback),
+        corrections=len(lesson.feedback) or None,
     )

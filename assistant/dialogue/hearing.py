@@ -13,13 +13,13 @@ from assistant.dialogue.changing import shown_left
 from assistant.dialogue.doubting import doubted, is_guess, misunderstood, without_guess
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.events import Heard
-from assistant.dialogue.explaining import explain, show
+from assistant.dialogue.explaining import explain
 from assistant.dialogue.finding import with_name
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.general import general
 from assistant.dialogue.grounding import names_known, two_ways
 from assistant.dialogue.helping import help_line, patient
-from assistant.dialogue.naming import number_of, text_of
+from assistant.dialogue.naming import number_of, text_of, tidy_name
 from assistant.dialogue.otherwise import (
     guessed_other,
     named_other,
@@ -28,6 +28,7 @@ from assistant.dialogue.otherwise import (
     wants_other,
 )
 from assistant.dialogue.plain_answers import answers_plainly, counted_steps, tells_body, told_steps
+from assistant.dialogue.recounting import show
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
 from assistant.dialogue.slips import BEGIN_ANEW
@@ -40,6 +41,7 @@ from assistant.dialogue.state import (
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say, with_other
 from assistant.dialogue.unknowing import unknowing, unknown_to
+from assistant.dialogue.wondering import asks_why, wondered
 from assistant.language.hints import hints, mentions
 from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
@@ -67,7 +69,8 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
 
 def _by_words(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn | None:
     """Answer what its words alone tell, whatever the understanding makes of them."""
-    turn = aside(dialogue, words, meant) or requested(dialogue, words)
+    turn = wondered(dialogue, words)
+    turn = turn or aside(dialogue, words, meant) or requested(dialogue, words)
     if turn is not None:
         return one_question(turn)
     if wants_other(dialogue, words.text):
@@ -120,7 +123,7 @@ def _by_meaning(
         # What changes the plan must have been heard well.
         names_known(dialogue, meant) and not heard_names.misheard(event)
     )
-    if unsure and not plain:
+    if unsure and not plain and not asks_why(dialogue, meant, words.text):
         return doubted(dialogue, meant, words)
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 
@@ -187,11 +190,13 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
         case acts.RepeatLine():
             return say(dialogue, *map(in_full, dialogue.said)) if dialogue.said else ask(dialogue)
         case acts.Explain():
-            return explain(dialogue, act)
+            # "Why?" asks about a guess that was read back; any other question lets it go.
+            plain = tidy_name(words.text).lower() in hints("why_not", dialogue.language)
+            return explain(dialogue if plain else without_guess(dialogue), act)
         case acts.Show() if mentions(words.text, hints("questions", dialogue.language)):
-            return explain(dialogue, acts.Explain(words.text))
+            return explain(without_guess(dialogue), acts.Explain(words.text))
         case acts.Show():
-            return show(dialogue, act)
+            return show(without_guess(dialogue), act)
         case acts.BeBrief() | acts.BeThorough():
             brief = isinstance(act, acts.BeBrief)
             topic = "brief" if brief else "thorough"

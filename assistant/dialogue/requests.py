@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from assistant.dialogue.asking import ask, begin_run, places, question, tell
+from assistant.dialogue.asking import ask, begin_run, places, tell
 from assistant.dialogue.effects import Arrange, Home
 from assistant.dialogue.keeping import (
     answer_unsaved,
@@ -16,7 +16,6 @@ from assistant.dialogue.keeping import (
     write_down,
 )
 from assistant.dialogue.naming import tidy_name
-from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import (
     Dialogue,
     Introducing,
@@ -39,12 +38,10 @@ from assistant.model.teacher_acts import Again, Save
 
 def requested(dialogue: Dialogue, words: Words) -> Turn | None:
     """Do what is asked for in words that mean one thing only; None where they do not."""
-    if dialogue.busy:
+    if dialogue.busy or isinstance(dialogue.state, Watching):
         return None
     calm = replace(dialogue, misses=0)
-    if isinstance(dialogue.state, Watching):
-        return None
-    for reply in (_kept_task, _saved_as, _written_down, _why_refused):
+    for reply in (_kept_task, _saved_as, _written_down):
         turn = reply(calm, words)
         if turn is not None:
             return turn
@@ -109,17 +106,6 @@ def _written_down(dialogue: Dialogue, words: Words) -> Turn | None:
     if naming or not mentions(words.text, hints("write_down", dialogue.language)):
         return None
     return write_down(dialogue)
-
-
-def _why_refused(dialogue: Dialogue, words: Words) -> Turn | None:
-    """Tell why a run was refused to who asks just "why?" or "why not?" then."""
-    asked, refusal = question(dialogue), dialogue.refusal
-    plain = tidy_name(words.text).lower()
-    if refusal is None or asked is None or asked.topic != "ready_refused":
-        return None
-    if plain not in hints("why_not", dialogue.language):
-        return None
-    return tell(dialogue, refusal_line("explain", refusal))
 
 
 def _pointed(dialogue: Dialogue, words: Words) -> Turn | None:
