@@ -19,7 +19,7 @@ Between asking about every lesson that went wrong and about none that went right
 printed by `tests.benchmarks.bench_confidence`.
 """
 
-LEFT_OUT = 0.2
+LEFT_OUT = 0.1
 """If steps were more likely than this never shown, the likeliest is asked about, though seen.
 
 What was introduced is seldom left out; but who forgets a step has to be told.

@@ -11,12 +11,13 @@ from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined
 from assistant.learning.decoding import Lattice, Reading, decode
+from assistant.learning.following import following
 from assistant.learning.introduction import orders, other_orders
 from assistant.learning.passing import passed
 from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
 from assistant.learning.scoring import heard_lattice, motion_lattice, reordered, told_lattice
 from assistant.model.demonstration import Demonstration
-from assistant.model.settings import SegmentationSettings
+from assistant.model.settings import CueSettings, SegmentationSettings
 from assistant.model.task import Task, primitives
 
 _SAME_CUT_S = 0.4
@@ -118,7 +119,7 @@ def read(
         ways = _with_lags(demonstration, task, evidence, settings, cues_s, lags)
     best = max(ways, key=lambda way: way.reading.evidence + _usual(way, settings))
     best = _sure(best, ways, np.array([share for _, share in found]))
-    return replace(best, at_s=_refined(best, cues_s), alone_s=alone_s)
+    return replace(_refined(best, cues_s, settings.cues), alone_s=alone_s)
 
 
 def _usual_s(task: Task, evidence: Evidence) -> float:
@@ -178,18 +179,23 @@ def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Unders
     return replace(best, cut_chances=tuple(each.tolist()), whole_chance=min(whole, 1.0))
 
 
-def _refined(understood: Understood, cues_s: Array) -> Array:
-    """Return the instants with those of the cuts refined by the cues; their order is kept."""
-    at_s = understood.at_s.copy()
+def _refined(understood: Understood, cues_s: Array, given: CueSettings) -> Understood:
+    """Return the reading with the cuts' instants refined by the cues; their order is kept."""
     inner = np.array(understood.reading.nodes[1:-1], dtype=np.int64)
     if understood.lag is None or len(inner) == 0:
-        return at_s
-    blur_s = np.array([understood.candidates[k - 1].blur_s for k in inner])
-    moved = refined(cues_s, at_s[inner], blur_s, understood.lag)
-    kept = at_s.copy()
-    kept[inner] = moved
-    nodes = kept[list(understood.reading.nodes)]
-    return kept if bool(np.all(np.diff(nodes) > 0.0)) else at_s
+        return understood
+    spots = [understood.candidates[k - 1] for k in inner]
+    blur_s = np.array([spot.blur_s for spot in spots])
+    acted = np.array([spot.gripper for spot in spots])
+    heard = np.array([spot.heard for spot in spots])
+    shown_s, end_s = understood.at_s[inner], float(np.ptp(understood.at_s))
+    seen = [at[~heard] for at in (shown_s, blur_s, acted)]
+    led = following(cues_s, *seen, end_s, understood.lag, given)
+    late_s = np.where(heard, led.lag.best_s - understood.lag.best_s, np.where(acted, 0, led.late_s))
+    at_s = understood.at_s.copy()
+    at_s[inner] = refined(cues_s, shown_s - late_s, blur_s, led.lag)
+    in_order = bool(np.all(np.diff(at_s[list(understood.reading.nodes)]) > 0.0))
+    return replace(understood, at_s=at_s, lag=led.lag) if in_order else understood
 
 
 def read_cuts(

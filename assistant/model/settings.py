@@ -105,7 +105,9 @@ class BlendingSettings:
     tool_m: float = 0.1341
     """The hand is turned about this point ahead of the flange (A465: the TCP)."""
     turn_rad_s: float = 1.6
-    """The hand never turns faster."""
+    """The hand never turns faster, unless it was shown to,"""
+    most_turn_rad_s: float = 2.8
+    """and then not faster than this, which a wrist can follow (A465: 2.98)."""
     speed_share: float = 0.995
     """Of the demonstration's peak speed, which a moved setup never exceeds."""
     brake_s: float = 0.4
@@ -224,6 +226,10 @@ class CueSettings:
     least_missing: float = 0.08
     rounds: int = 1
     """How often the lag is told anew from the cuts it helped to find."""
+    lates_s: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.5)
+    """How late a hand may follow the teacher who leads it, by keys or through another arm."""
+    late_share: float = 0.2
+    """Of teachers whose hand follows late, by whichever of these."""
 
 
 @dataclass(frozen=True, slots=True)
