@@ -189,8 +189,8 @@ def _refined(understood: Understood, cues_s: Array, given: CueSettings) -> Under
     acted = np.array([spot.gripper for spot in spots])
     heard = np.array([spot.heard for spot in spots])
     shown_s, end_s = understood.at_s[inner], float(np.ptp(understood.at_s))
-    seen = [at[~heard] for at in (shown_s, blur_s, acted)]
-    led = following(cues_s, *seen, end_s, understood.lag, given)
+    seen_s, seen_blur_s, seen_acted = shown_s[~heard], blur_s[~heard], acted[~heard]
+    led = following(cues_s, seen_s, seen_blur_s, seen_acted, end_s, understood.lag, given)
     late_s = np.where(heard, led.lag.best_s - understood.lag.best_s, np.where(acted, 0, led.late_s))
     at_s = understood.at_s.copy()
     at_s[inner] = refined(cues_s, shown_s - late_s, blur_s, led.lag)
