@@ -50,6 +50,13 @@ def adapt(
     ------
     BadInput
         If the setup lacks a place, or the speed is not above zero.
+
+    Notes
+    -----
+    In every setup the hand moves no faster than the scene allows, nor faster than the
+    demonstration's greatest speed times `speed`, and turns no faster than `plan.turn_rad_s`. No
+    step is shorter than the lesson's own divided by `speed`, none while the gripper acts shorter
+    than the lesson's own.
     """
     if not speed > 0.0:
         raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
@@ -63,7 +70,7 @@ def adapt(
         steps_s,
         path,
         min(scene.hand_speed_m_s, plan.settings.speed_share * plan.peak_m_s * speed),
-        plan.settings.turn_rad_s,
+        plan.turn_rad_s,
         plan.brake,
     )
     return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, plan.stops)

@@ -20,7 +20,7 @@ from assistant.learning.amendments import (
 )
 from assistant.learning.holding import held_stretches
 from assistant.learning.rigid import Rows
-from assistant.learning.timing import hand_speeds, resting_steps, rms_jerk
+from assistant.learning.timing import hand_speeds, resting_steps, rms_jerk, turn_speeds
 from assistant.learning.ways import Ways, prepare
 from assistant.learning.weights import FrameWeights, frame_weights
 from assistant.model.lesson import LearnedPath, Lesson, Station
@@ -60,6 +60,8 @@ class AdaptationPlan:
         Whether the hand came back to where it started.
     peak_m_s : float
         Greatest speed of the demonstration, with the corrections of speed.
+    turn_rad_s : float
+        The hand never turns faster.
     brake : int
         Number of samples over which slowing down is spread.
     stops : tuple of HandStop
@@ -82,6 +84,7 @@ class AdaptationPlan:
     bends: tuple[Bend, ...]
     ends_with_start: bool
     peak_m_s: float
+    turn_rad_s: float
     brake: int
     stops: tuple[HandStop, ...]
 
@@ -127,6 +130,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
         bends=bends(task, lesson, learned, held),
         ends_with_start=ends_with_start,
         peak_m_s=float(np.max(hand_speeds(learned.t_s, path) * factors)),
+        turn_rad_s=_turn_bound(settings, float(np.max(turn_speeds(learned.t_s, path) * factors))),
         brake=round(settings.brake_s / float(np.median(steps_s))),
         stops=tuple(_stop(one, move) for one, move in zip(stations, told, strict=True)),
     )
@@ -149,6 +153,10 @@ def carried_out(task: Task) -> tuple[Lesson, LearnedPath]:
             "known; demonstrate it with the column gripper_m"
         )
     return lesson, lesson.path
+
+
+def _turn_bound(settings: BlendingSettings, shown_rad_s: float) -> float:
+    return max(settings.turn_rad_s, min(shown_rad_s, settings.most_turn_rad_s))
 
 
 def _jerk(lesson: Lesson, learned: LearnedPath) -> float:

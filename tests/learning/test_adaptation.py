@@ -1,10 +1,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 from typing import Literal
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from assistant.errors import BadInput, WorkFailed
 from assistant.geometry import (
@@ -15,12 +18,13 @@ from assistant.geometry import (
     relative,
 )
 from assistant.learning.adaptation import (
+    AdaptationPlan,
     adapt,
     frames_in,
     plan_adaptation,
 )
 from assistant.learning.lesson import learn
-from assistant.learning.timing import hand_speeds
+from assistant.learning.timing import hand_speeds, turn_speeds
 from assistant.model.scene import Scene
 from assistant.model.settings import BlendingSettings
 from assistant.model.setup import Place, Setup
@@ -28,6 +32,7 @@ from tests.learning.lessons import (
     BLOCK,
     SCENE,
     SHOWN,
+    around,
     demonstration,
     errors,
     learned,
@@ -69,6 +74,30 @@ def test_the_scene_bounds_the_hand() -> None:
     slow = Scene(hand_speed_m_s=0.05)
     path = adapt(plan_adaptation(learned()), slow, SHOWN, speed=2.0)
     assert np.max(hand_speeds(path.t_s, path.path)) <= 0.05 + 1e-12
+
+
+@lru_cache
+def prepared() -> AdaptationPlan:
+    return plan_adaptation(learned())
+
+
+@given(
+    seed=st.integers(0, 10_000),
+    speed=st.floats(0.2, 4.0),
+    most_m_s=st.floats(0.02, 1.0),
+)
+@settings(max_examples=15, deadline=None)
+def test_bounds_on_speed_hold_in_any_setup_at_any_speed(
+    seed: int, speed: float, most_m_s: float
+) -> None:
+    plan = prepared()
+    setup = around(np.random.default_rng(seed))
+    path = adapt(plan, Scene(hand_speed_m_s=most_m_s), setup, speed=speed)
+    fastest = float(np.max(hand_speeds(path.t_s, path.path)))
+    assert fastest <= min(most_m_s, plan.peak_m_s * speed) * (1.0 + 1e-9)
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.turn_rad_s * (1.0 + 1e-9)
+    least_s = plan.steps_s / np.where(plan.resting, min(speed, 1.0), speed)
+    assert np.all(np.diff(path.t_s) >= least_s - 1e-9)
 
 
 def test_the_path_is_smooth_where_stretches_join() -> None:

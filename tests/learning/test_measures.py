@@ -56,7 +56,7 @@ def test_near_setups_keep_jerk_speed_and_duration(seed: int) -> None:
     assert told["peak_speed_ratio"] <= 1.0
     assert told["duration_ratio"] <= 1.2
     assert np.all(np.diff(path.t_s) > 0)
-    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.settings.turn_rad_s + 1e-9
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.turn_rad_s + 1e-9
 
 
 @pytest.mark.parametrize("generator", [generator_a, generator_b])
@@ -76,6 +76,25 @@ def test_other_teachers_ways_keep_their_jerk_too(generator: ModuleType, seed: in
         assert told["peak_speed_ratio"] <= 1.0
         least = least_jerk_ratio(made, plan, path, setup)
         assert told["jerk_ratio"] <= max(1.15, 1.05 * least)
+
+
+@pytest.mark.parametrize("seed", [4, 9])
+def test_a_teacher_who_turns_the_hand_fast_is_followed_as_far_as_a_wrist_can(seed: int) -> None:
+    shown = generator_b.generate(seed)
+    made = replace(
+        shown.task, learned=learn([shown.demonstration], shown.task, cuts_s=shown.cuts_s)
+    )
+    plan, rng = plan_adaptation(made), np.random.default_rng(seed)
+    setup = Setup("near", places={one.frame: near(one, rng) for one in plan.stations})
+    path = adapt(plan, SCENE, setup, start=plan.ways.path[0])
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.settings.most_turn_rad_s + 1e-9
+    assert np.max(turn_speeds(path.t_s, path.path)) > plan.settings.turn_rad_s
+    assert measured(made, plan, path, SCENE, setup)["duration_ratio"] <= 1.2
+
+
+def test_what_was_shown_slowly_is_not_turned_fast() -> None:
+    plan = plan_adaptation(learned())
+    assert plan.turn_rad_s == plan.settings.turn_rad_s
 
 
 def near(station: Station, rng: np.random.Generator) -> Place:
@@ -104,7 +123,7 @@ def test_far_setups_cost_hardly_more_than_the_least_there_is(seed: int) -> None:
     assert told["jerk_ratio"] <= max(1.15, 1.2 * least)
     assert told["peak_speed_ratio"] <= 1.0
     assert told["duration_ratio"] <= max(1.2, 1.25 * least_duration_ratio(plan, path))
-    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.settings.turn_rad_s + 1e-9
+    assert np.max(turn_speeds(path.t_s, path.path)) <= plan.turn_rad_s + 1e-9
 
 
 def least_jerk_ratio(made: Task, plan: AdaptationPlan, path: HandPath, setup: Setup) -> float:
