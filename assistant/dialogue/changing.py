@@ -174,7 +174,8 @@ def add(dialogue: Dialogue, feedback: Feedback, *, instead: bool = False) -> Tur
     told_speed = speed_of(known)
     if feedback.kind == "speed" and not SPEEDS[0] <= told_speed <= SPEEDS[1]:
         least, most = (round(100 * one) for one in SPEEDS)
-        return tell(dialogue, line("refuse", "speed_bounds", least=least, most=most))
+        now = round(100 * speed_of(dialogue.known))
+        return tell(dialogue, line("refuse", "speed_bounds", least=least, most=most, now=now))
     after = corrected(changed(dialogue, "correction", known))
     return told_of(after, told(known, feedback))
 

@@ -57,10 +57,14 @@ def _tree(dialogue: Dialogue) -> RobotAct:
 
 
 def _corrections(known: Knowledge) -> RobotAct:
-    lesson = known.lesson
-    given = [_correction(known, one) for one in lesson.feedback] if lesson else []
+    given = plain_corrections(known)
     topic = "corrections" if given else "no_corrections"
     return line("told", topic, corrections=given, count=len(given))
+
+
+def plain_corrections(known: Knowledge) -> list[dict[str, Any]]:
+    """Return the corrections that stand as plain values."""
+    return [_correction(known, one) for one in known.lesson.feedback] if known.lesson else []
 
 
 def _correction(known: Knowledge, feedback: Feedback) -> dict[str, Any]:

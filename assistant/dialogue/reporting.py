@@ -6,12 +6,13 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue import reviewing
-from assistant.dialogue.asking import PRACTICE, ask, index_of, tell
+from assistant.dialogue.asking import PRACTICE, index_of, tell
 from assistant.dialogue.conditions import expected, missing, plain_conditions
 from assistant.dialogue.effects import GoOn, Move
 from assistant.dialogue.events import Checked
+from assistant.dialogue.looking_ahead import asked_s, looked, told_dry
 from assistant.dialogue.measuring import result_slots
-from assistant.dialogue.practicing import not_home, stopped
+from assistant.dialogue.practicing import not_home, pause_there, stopped
 from assistant.dialogue.runs import Run, RunResult
 from assistant.dialogue.state import Dialogue, Ran, Ready, Running
 from assistant.dialogue.turn import (
@@ -39,15 +40,15 @@ def checked(dialogue: Dialogue, event: Checked) -> Turn:
     if dialogue.arm != "checking" or run is None or event.setup != run.setup:
         return dialogue, ()
     if run.purpose == "look":
-        return ask(replace(dialogue, state=Ready(), arm="rest"))
+        return looked(dialogue)
     if run.purpose == "dry":
-        return _told_dry(dialogue, event)
-    known = dialogue.known
+        return told_dry(dialogue, event)
+    known, longer_s = dialogue.known, asked_s(dialogue, event.duration_s)
     moving = replace(
         dialogue,
         state=Running(),
         arm="moving",
-        run=replace(run, checked=True, note=event.note),
+        run=replace(run, checked=True, note=event.note, asked_s=longer_s),
         refusal=None,
     )
     slow = run.pace == "slow"
@@ -57,15 +58,6 @@ def checked(dialogue: Dialogue, event: Checked) -> Turn:
     if slow and not run.anew:
         told.insert(0, line("report", "starting_slow", about=About(known.name), speed=speed))
     return then(say(moving, *told), effect)
-
-
-def _told_dry(dialogue: Dialogue, event: Checked) -> Turn:
-    """Tell what a run would be like; nothing has moved."""
-    steps = [leaf.name for leaf in primitives(dialogue.known.task.tree)]
-    told = line(
-        "told", "dry_run", names=steps, duration_s=round(event.duration_s, 1), note=event.note
-    )
-    return tell(replace(dialogue, state=Ready(), arm="rest", refusal=None), told)
 
 
 def refused(dialogue: Dialogue, refusal: Refusal) -> Turn:
@@ -159,6 +151,8 @@ def _homing(dialogue: Dialogue, report: ArmReport) -> Turn:
 
 def _primitive(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
     at_work = replace(dialogue, run=replace(run, primitive_at=report.primitive_at))
+    if 0 <= run.pause_after < report.primitive_at and dialogue.arm == "moving":
+        return pause_there(at_work)
     if run.pace != "slow" or dialogue.arm != "moving":
         return at_work, ()
     leaf = leaf_at(dialogue, report.primitive_at)
@@ -275,6 +269,7 @@ def _finished(dialogue: Dialogue, run: Run, report: ArmReport) -> Turn:
         about=About(dialogue.known.name),
         setup=run.setup.name,
         duration_s=round(report.at_s, 1),
+        asked_s=run.asked_s,
         **result_slots(report.alignments, report.measures),
     )
     return tell(after, told)

@@ -27,6 +27,10 @@ class Run:
         Stopped by the teacher on the way; it does not count toward agreement.
     note : str
         What was changed on the way.
+    asked_s : float or None
+        How long it would take at the speed asked for, where limits allow no such speed.
+    pause_after : int
+        The position of the primitive after which to pause; -1 for none.
     perceived : tuple of (condition, object)
     """
 
@@ -38,6 +42,8 @@ class Run:
     corrected: bool = False
     interrupted: bool = False
     note: str = ""
+    asked_s: float | None = None
+    pause_after: int = -1
     primitive_at: int = -1
     perceived: tuple[tuple[str, str], ...] = ()
     held: str = ""

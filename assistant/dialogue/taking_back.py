@@ -1,60 +1,125 @@
-"""Single corrections taken back and brought again, by their number in the list."""
+"""Single corrections taken back and brought again, by their number or by their words."""
 
 from __future__ import annotations
 
-import re
+from collections.abc import Sequence
 from dataclasses import replace
 
 from assistant.dialogue.asking import tell
 from assistant.dialogue.changing import corrected
+from assistant.dialogue.doubting import without_guess
+from assistant.dialogue.finding import find
+from assistant.dialogue.picking import Picked, described, picked
+from assistant.dialogue.recounting import plain_corrections
 from assistant.dialogue.state import Dialogue, Knowledge
 from assistant.dialogue.turn import Turn, Words, changed, line
+from assistant.dialogue.undoing import redo
 from assistant.language.hints import hints, mentions
 from assistant.model.feedback import Feedback
+from assistant.model.robot_acts import RobotAct
+
+LABELS = ("correction", "corrections")
+"""Changes that are of corrections alone."""
 
 
 def numbered(dialogue: Dialogue, words: Words) -> Turn | None:
-    """Take back or bring again the corrections that a sentence numbers; None if it does not."""
-    text = words.text.lower()
-    if dialogue.known.lesson is None or not mentions(text, hints("corrections", dialogue.language)):
+    """Take back or bring again the corrections a sentence tells; None if it tells none."""
+    text, language = words.text.lower(), dialogue.language
+    if dialogue.known.lesson is None:
         return None
-    if mentions(text, hints("bring_back", dialogue.language)):
-        return _brought(dialogue, text)
-    return _taken(dialogue, text) if mentions(text, hints("take_back", dialogue.language)) else None
+    named = mentions(text, hints("corrections", language))
+    verbs: list[str] = hints("bring_back", language)
+    # "Again" alone asks for another run.
+    surely = [verb for verb in verbs if verb not in hints("bring_back_only_named", language)]
+    free = without_guess(dialogue)
+    if mentions(text, verbs if named else surely):
+        return _brought(free, picked(text, language), named=named)
+    if mentions(text, hints("take_back", language)):
+        return _taken(free, picked(text, language), text, named=named)
+    return None
 
 
-def _given(known: Knowledge) -> tuple[Feedback, ...]:
+def given(known: Knowledge) -> tuple[Feedback, ...]:
+    """Return the corrections that stand."""
     return known.lesson.feedback if known.lesson is not None else ()
 
 
-def _taken(dialogue: Dialogue, text: str) -> Turn | None:
-    given = _given(dialogue.known)
-    wanted = _numbers(dialogue, text, len(given))
-    if wanted is None:
+def _taken(dialogue: Dialogue, meant: Picked, text: str, *, named: bool) -> Turn | None:
+    now = given(dialogue.known)
+    if meant.words:
+        return _taken_by_words(dialogue, meant, text)
+    if not named and not now:
         return None
-    lost = [number for number in wanted if not 1 <= number <= len(given)]
-    if lost or not given:
-        told = line("error", "no_such_correction", number=(lost or [1])[0], count=len(given))
+    last_change = dialogue.past[-1].label if dialogue.past else ""
+    if meant.last and not meant.numbers and (last_change == "correction" or not named):
+        # What was done last is what is taken back, and brought again, by a plain "undo".
+        return None
+    wanted = meant.of(len(now))
+    if not wanted and not (named and meant.every):
+        return None
+    lost = [number for number in wanted if not 1 <= number <= len(now)]
+    if lost or not now:
+        told = line("error", "no_such_correction", number=(lost or [1])[0], count=len(now))
         return tell(dialogue, told)
-    left = tuple(one for number, one in enumerate(given, 1) if number not in wanted)
-    gone = [given[number - 1].words for number in wanted]
+    return _without(dialogue, wanted)
+
+
+def _taken_by_words(dialogue: Dialogue, meant: Picked, text: str) -> Turn | None:
+    """Take back the one correction the words are said of; of several ask which."""
+    if find(dialogue.known, text) is not None:
+        # A step of that name is spoken of.
+        return None
+    now = given(dialogue.known)
+    fitting = described(dialogue.known, now, meant.words)
+    if not fitting:
+        return None
+    told = meant.of(len(fitting))
+    if told and max(told) <= len(fitting):
+        fitting = [fitting[number - 1] for number in told]
+    elif len(fitting) > 1:
+        return tell(dialogue, _which(dialogue.known, fitting))
+    return _without(dialogue, fitting)
+
+
+def _which(known: Knowledge, numbers: Sequence[int]) -> RobotAct:
+    listed = plain_corrections(known)
+    fitting = [listed[number - 1] | {"number": number} for number in numbers]
+    return line("error", "which_correction", corrections=fitting, number=numbers[0])
+
+
+def _without(dialogue: Dialogue, numbers: Sequence[int]) -> Turn:
+    now = given(dialogue.known)
+    left = tuple(one for number, one in enumerate(now, 1) if number not in numbers)
+    gone = [now[number - 1].words for number in numbers]
     told = line("done", "correction_undone", names=gone, left=len(left))
     return tell(_with(dialogue, left), told)
 
 
-def _brought(dialogue: Dialogue, text: str) -> Turn | None:
-    """Bring back what stood at a number the last time when one more correction stood."""
-    wanted = _numbers(dialogue, text, 0)
-    if wanted is None or len(wanted) != 1:
-        return None
-    number, now = wanted[0], _given(dialogue.known)
+def _brought(dialogue: Dialogue, meant: Picked, *, named: bool) -> Turn | None:
+    """Bring back what stood at a number, or is described, the last time that it stood."""
+    number = meant.numbers[0] if len(meant.numbers) == 1 else None
+    if number is None and not meant.words:
+        plain = not meant.numbers
+        return redo(dialogue) if plain and (named or _lost(dialogue)) else None
+    now = given(dialogue.known)
     for change in reversed((*dialogue.past, *dialogue.future)):
-        then = _given(change.known)
-        if 1 <= number <= len(then) and then[number - 1] not in now:
-            back = (*now[: number - 1], then[number - 1], *now[number - 1 :])
-            told = line("done", "correction_redone", names=[then[number - 1].words])
+        then = given(change.known)
+        at = number
+        if meant.words:
+            found = described(change.known, then, meant.words)
+            gone = [one for one in found if then[one - 1] not in now]
+            at = gone[-1] if gone else None
+        if at is not None and 1 <= at <= len(then) and then[at - 1] not in now:
+            back = (*now[: at - 1], then[at - 1], *now[at - 1 :])
+            told = line("done", "correction_redone", names=[then[at - 1].words])
             return tell(_with(dialogue, back), told)
-    return tell(dialogue, line("error", "nothing_to_redo"))
+    return tell(dialogue, line("error", "nothing_to_redo")) if named else None
+
+
+def _lost(dialogue: Dialogue) -> bool:
+    """Whether corrections were taken back by the last change, or by an undo just now."""
+    changes = (dialogue.future or dialogue.past)[-1:]
+    return any(change.label in LABELS for change in changes)
 
 
 def _with(dialogue: Dialogue, feedback: tuple[Feedback, ...]) -> Dialogue:
@@ -63,20 +128,3 @@ def _with(dialogue: Dialogue, feedback: tuple[Feedback, ...]) -> Dialogue:
         return dialogue
     known = replace(dialogue.known, lesson=replace(lesson, feedback=feedback))
     return corrected(changed(dialogue, "corrections", known))
-
-
-def _numbers(dialogue: Dialogue, text: str, count: int) -> tuple[int, ...] | None:
-    """Return which numbers a text means, of `count`; None if it tells none."""
-    ordinals: dict[str, int] = hints("ordinals", dialogue.language)
-    counts: dict[str, int] = hints("numbers", dialogue.language)
-    words = re.findall(r"[^\W\d_]+|\d+", text)
-    value = {**ordinals, **counts}
-    # "the correction one" is number one, "the last two corrections" are two of them.
-    told = [int(word) if word.isdigit() else value.get(word, 0) for word in words]
-    numbers = [number for number in told if number > 0]
-    if mentions(text, hints("latest", dialogue.language)):
-        many = numbers[0] if numbers else 1
-        return tuple(range(max(count - many, 0) + 1, count + 1)) if many > 1 else None
-    if mentions(text, hints("every", dialogue.language)):
-        return tuple(range(1, count + 1))
-    return tuple(sorted(set(numbers))) or None

@@ -9,7 +9,7 @@ from assistant.dialogue.changing import corrected, told_of
 from assistant.dialogue.going_back import resettled
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Change, Dialogue, Knowledge, Ready
-from assistant.dialogue.turn import Turn, line, say
+from assistant.dialogue.turn import Turn, changed, line, say
 
 
 def undo(dialogue: Dialogue) -> Turn:
@@ -24,10 +24,22 @@ def undo(dialogue: Dialogue) -> Turn:
 def redo(dialogue: Dialogue) -> Turn:
     """Bring back what was taken back."""
     if not dialogue.future:
-        return tell(dialogue, line("error", "nothing_to_redo"))
+        return _taken_back(dialogue) or tell(dialogue, line("error", "nothing_to_redo"))
     change = dialogue.future[-1]
     past = (*dialogue.past, Change(dialogue.known, change.label))
     return _turned_to(dialogue, change, past, dialogue.future[:-1], "redone")
+
+
+def _taken_back(dialogue: Dialogue) -> Turn | None:
+    """Bring back the corrections that were taken out of the list last; None if none were."""
+    last = dialogue.past[-1] if dialogue.past else None
+    if last is None or last.label != "corrections":
+        return None
+    lost = _corrections(last.known, dialogue.known)
+    if not lost:
+        return None
+    told = line("done", "correction_redone", names=lost)
+    return told_of(corrected(changed(dialogue, "corrections", last.known)), told)
 
 
 def _turned_to(
@@ -60,8 +72,17 @@ def _turned_to(
 
 
 def _named(before: Knowledge, change: Change) -> list[str]:
-    """Return the steps that came or went with a change of names."""
+    """Return the steps, or corrections, that came or went with a change."""
+    if change.label in ("correction", "corrections"):
+        one, other = before, change.known
+        return [*_corrections(one, other), *_corrections(other, one)]
     if change.label not in ("subtask_name", "steps"):
         return []
-    one, other = names(before.root), names(change.known.root)
-    return [name for name in (*one, *other) if (name in one) != (name in other)]
+    here, there = names(before.root), names(change.known.root)
+    return [name for name in (*here, *there) if (name in here) != (name in there)]
+
+
+def _corrections(known: Knowledge, other: Knowledge) -> list[str]:
+    """Return the words of the corrections of one that the other has not."""
+    given, theirs = ((one.lesson.feedback if one.lesson else ()) for one in (known, other))
+    return [one.words for one in given if one not in theirs]

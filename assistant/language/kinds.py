@@ -196,7 +196,9 @@ def _conditions_of(wording: Wording, value: Any) -> str:
 
 def _corrections(wording: Wording, value: Any) -> str:
     told = [
-        wording.words("correction", {**one, "number": at, "amount": _amount(wording, one)})
+        wording.words(
+            "correction", {"number": at, "when": "during", **one, "amount": _amount(wording, one)}
+        )
         for at, one in enumerate(value or (), start=1)
     ]
     return "\n".join(told)
@@ -252,4 +254,5 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "change": _from("changes"),
     "reason": _from("reasons"),
     "why": _from("whys"),
+    "whens": _from("whens"),
 }

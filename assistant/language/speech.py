@@ -38,6 +38,7 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     slots = dict(line.slots)
     if line.about is not None:
         slots.setdefault("name", line.about.name)
+    slots.setdefault("when", "during")
     wording = Wording(book, slots, KINDS)
     if template is None:
         return wording.fill(str(slots.get("reason", "")) or line.topic.replace("_", " "))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue import effects as fx
@@ -10,7 +12,7 @@ from assistant.dialogue.machine import listening, public_view
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.motion import ArmReport, Refusal
-from tests.dialogue.teaching import SETUP, Lessons
+from tests.dialogue.teaching import SCENE, SETUP, STEPS, Lessons, moved
 
 LAST = "place object on target"
 
@@ -147,8 +149,40 @@ def test_what_is_held_at_home_is_not_let_go_unasked() -> None:
 def test_nothing_runs_backwards() -> None:
     teacher = Lessons().ready()
     teacher.hear(acts.Translate("backward"), text="go back to when the block was picked up")
-    assert teacher.topics == ["confirm.begin_anew"]
+    assert teacher.topics == ["confirm.begin_until"]
     assert not words(teacher)
+    teacher.hear(acts.Translate("backward"), text="go back to when you felt well")
+    assert teacher.topics == ["confirm.begin_anew"]
+
+
+@pytest.mark.parametrize(
+    ("moment", "step"),
+    [
+        ("the block was picked up", "grasp object"),
+        ("you had the block in your hand", "grasp object"),
+        ("it was let go", "place object on target"),
+        ("moving up object", "move up object"),
+    ],
+)
+def test_a_run_begun_anew_pauses_where_the_teacher_wants_to_be(moment: str, step: str) -> None:
+    teacher = Lessons().ready()
+    teacher.hear(acts.Translate("backward"), text=f"go back to when {moment}")
+    assert teacher.lines[-1].slots["name"] == step
+    teacher.hear(acts.Affirm())
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, None, 12.0))
+    at = STEPS.index(step)
+    for position in range(at + 1):
+        teacher.report("primitive", position)
+        assert teacher.dialogue.arm == "moving"
+    if at + 1 == len(STEPS):
+        return
+    teacher.report("primitive", at + 1)
+    assert teacher.did(fx.Halt)
+    assert teacher.topics == ["told.paused_after"]
+    teacher.hear(acts.Resume())
+    assert teacher.did(fx.GoOn)
+    teacher.report("primitive", at + 1)
+    assert teacher.dialogue.arm == "moving"
 
 
 def test_going_on_with_a_kept_task_is_no_start() -> None:
@@ -156,6 +190,12 @@ def test_going_on_with_a_kept_task_is_no_start() -> None:
     teacher.happen(ev.Kept("sorting")).hear(acts.Start(), text="continue with Sorting")
     assert teacher.did(fx.Load)
     assert not teacher.did(fx.Check)
+
+
+def test_a_version_that_there_is_not_is_not_deleted() -> None:
+    teacher = Lessons().open(saved=("version one",)).hear(acts.Undo(), text="delete version nine")
+    assert teacher.topics[0] == "error.no_such_task"
+    assert teacher.lines[0].slots["name"] == "version nine"
 
 
 def test_a_kept_task_is_deleted_after_a_question() -> None:
@@ -248,3 +288,84 @@ def test_another_name_right_after_saving_is_that_of_the_version() -> None:
     teacher.hear(acts.Deny(), text="no, call it tower two")
     (keeping,) = (one for one in teacher.effects if isinstance(one, fx.Keep))
     assert keeping.name == "tower two"
+
+
+@pytest.mark.parametrize(
+    ("text", "left"),
+    [
+        ("undo the second one", ["up", "turn right"]),
+        ("take back the last two", ["up"]),
+        ("take back the turn", ["up", "lower"]),
+        ("undo the one where you said lower", ["up", "turn right"]),
+        ("scratch number one please", ["lower", "turn right"]),
+    ],
+)
+def test_corrections_are_taken_back_without_the_word(text: str, left: list[str]) -> None:
+    teacher = three().hear(acts.Undo(), text=text, sure=0.5)
+    assert teacher.topics[0] == "done.correction_undone"
+    assert words(teacher) == left
+
+
+@pytest.mark.parametrize(
+    "text", ["redo that one", "bring it back", "bring back everything", "redo"]
+)
+def test_what_was_taken_out_of_the_list_is_brought_back_by_a_redo(text: str) -> None:
+    teacher = three().hear(acts.Undo(), text="undo all corrections")
+    assert words(teacher) == []
+    teacher.hear(acts.Redo(), text=text, sure=1.0 if text == "redo" else 0.5)
+    assert teacher.topics[0] == "done.correction_redone"
+    assert words(teacher) == ["up", "lower", "turn right"]
+    assert teacher.hear(acts.Redo(), text="redo").topics[0] == "error.nothing_to_redo"
+
+
+def test_one_is_brought_back_by_its_words() -> None:
+    teacher = three().hear(acts.Undo(), text="undo all corrections")
+    teacher.hear(acts.Redo(), text="bring the turn back", sure=0.5)
+    assert words(teacher) == ["turn right"]
+
+
+def test_of_several_that_fit_it_is_asked_which() -> None:
+    teacher = three().hear(acts.Translate("up"), text="up again")
+    teacher.hear(acts.Undo(), text="take back the up one", sure=0.5)
+    assert teacher.topics[0] == "error.which_correction"
+    assert '1. "up"' in phrase(teacher.lines[0])
+    assert '4. "up again"' in phrase(teacher.lines[0])
+    assert len(words(teacher)) == 4
+
+
+def test_a_step_of_that_name_is_no_correction() -> None:
+    teacher = Lessons().ready().hear(acts.Translate("up"), text="move up object a bit")
+    teacher.hear(acts.RemoveSubtask("move up object"), text="remove move up object")
+    assert "done.correction_undone" not in teacher.topics
+
+
+def test_what_an_undo_took_back_is_named() -> None:
+    teacher = three().hear(acts.Undo(), text="undo")
+    assert phrase(teacher.lines[0]) == 'I took back the last correction: "turn right".'
+    teacher.hear(acts.Redo(), text="redo")
+    assert phrase(teacher.lines[0]) == 'I brought back the last correction: "turn right".'
+
+
+def test_the_last_correction_is_taken_back_though_something_else_came_after() -> None:
+    teacher = three().happen(ev.Arranged(moved("two", 30.0), SCENE))
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, None, 9.0))
+    teacher.hear(acts.Undo(), text="undo the last correction")
+    assert words(teacher) == ["up", "lower"]
+
+
+def test_a_correction_before_a_step_is_listed_as_one() -> None:
+    where = acts.Where("grasp object", "before")
+    teacher = Lessons().ready().hear(acts.Translate("up", where=where), text="higher before that")
+    assert 'before "grasp object"' in phrase(teacher.lines[0])
+    told = teacher.hear(acts.Show("corrections")).lines[0]
+    assert '5 mm up before "grasp object"' in phrase(told)
+
+
+def test_a_speed_that_limits_do_not_allow_is_told() -> None:
+    teacher = Lessons().ready().hear(acts.AdjustSpeed("faster", factor=2.9), text="2.9 times")
+    teacher.dialogue = replace(teacher.dialogue, pace="normal")
+    teacher.hear(acts.Start())
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, None, 9.0)).finish()
+    assert "it would be 3 s, but my limits do not allow that" in phrase(teacher.lines[0])
+    teacher = Lessons().ready().moving().finish()
+    assert "limits" not in phrase(teacher.lines[0])
