@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from assistant.cli import DONE
+from assistant.cli.naming import task_path
 from assistant.errors import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -40,7 +41,7 @@ def run(args: argparse.Namespace) -> int:
     from assistant.learning.measures import measured
     from assistant.shells.pacing import RealClock
 
-    task = read_task(args.learned)
+    task = read_task(task_path(args.learned))
     places = _read(args.setup)
     clock = RealClock()
     plan = plan_adaptation(task)

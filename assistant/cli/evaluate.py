@@ -17,6 +17,7 @@ import sys
 from pathlib import Path
 
 from assistant.cli import DONE
+from assistant.cli.naming import task_path
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -84,9 +85,10 @@ def run(args: argparse.Namespace) -> int:
         told,
     )
 
+    learned = task_path(args.learned)
     wanted = Evaluation(
-        str(args.learned),
-        args.scene or scene_for(args.learned),
+        str(learned),
+        args.scene or scene_for(learned),
         args.setups,
         args.seed,
         args.sector,

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
+from assistant.cli.naming import task_path
 from assistant.errors import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def run(args: argparse.Namespace) -> int:
     if args.window and (args.json or args.dry_run):
         # The window's library writes to stdout as it likes.
         raise BadInput.one("--window", "does not go with --json or --dry-run", "leave one out")
-    task = read_task(args.learned)
+    task = read_task(task_path(args.learned))
     places = _read(args.setup)
     for _, setup in places:
         check_placed(task, setup)

@@ -5,6 +5,7 @@ Everything said and shown is journaled at once; a session that ended in any way 
 
 example:
   assistant teach --setup tasks/setups/demonstration.yaml
+  assistant teach --task pick_and_place
   assistant teach --resume
 """
 
@@ -16,11 +17,11 @@ import os
 import sys
 from collections.abc import Callable, Iterable
 from functools import partial
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
 from assistant.cli.adapters import LANGUAGES, arm_argument
+from assistant.cli.naming import task_path
 from assistant.cli.talking import make_talking, shown_and_spoken, voice_arguments
 from assistant.errors import AssistantError, BadInput
 
@@ -34,7 +35,11 @@ NEWEST = "newest"
 def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the verb takes."""
     arm_argument(parser)
-    parser.add_argument("--task", type=Path, metavar="FILE", help="go on teaching this task")
+    parser.add_argument(
+        "--task",
+        metavar="TASK",
+        help="go on teaching this task: a file, or a name it is kept under",
+    )
     parser.add_argument("--setup", metavar="FILE", help="where things are (a file or a name)")
     parser.add_argument("--language", choices=("en", "de"), default="en")
     parser.add_argument(
@@ -143,7 +148,7 @@ def _header(args: argparse.Namespace) -> Transcript:
     from assistant.model.transcript import SetupChoice, Transcript
 
     choice = None if args.setup is None else SetupChoice(file=args.setup)
-    task = None if args.task is None else str(args.task.resolve())
+    task = None if args.task is None else str(task_path(args.task).resolve())
     language = LANGUAGES[args.language]
     return Transcript("a lesson", setup=choice, arm=args.arm, task=task, language=language)
 

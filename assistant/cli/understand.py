@@ -56,10 +56,11 @@ def run(args: argparse.Namespace) -> int:
 def _known(path: Path | None) -> Mapping[str, Any]:
     if path is None:
         return {}
+    from assistant.cli.naming import task_path
     from assistant.files.tasks import read_task
     from assistant.model.task import walk
 
-    task = read_task(path)
+    task = read_task(task_path(path))
     nodes = [node.name for index, node in walk(task.tree) if index]
     return {
         "task": task.name,

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from assistant.dialogue.adding import plan_corrected
 from assistant.dialogue.asking import ask, proceed, tell
-from assistant.dialogue.fresh import fresh_wanted
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
+from assistant.dialogue.keeping import fresh_wanted
 from assistant.dialogue.naming import listed_steps, tidy_name
 from assistant.dialogue.plan_words import (
     added,

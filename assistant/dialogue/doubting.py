@@ -75,6 +75,8 @@ def doubted(
     asks = _says_yes_or_no(meant) and _asks(dialogue, words.text)
     if all(isinstance(act, acts.Unknown) for act in meant) or asks or not _fresh(dialogue, meant):
         return misunderstood(dialogue, words)
+    # A no before what is wanted instead is no part of it: "no, more down".
+    meant = tuple(act for act in meant if not isinstance(act, acts.Affirm | acts.Deny)) or meant
     told = [_told(act, words.text) for act in meant]
     guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
     pending = Pending("did_you_mean", guess, meant, words.text, other=other)

@@ -30,12 +30,15 @@ class Begun:
         To continue teaching.
     saved : tuple of str
         Names of tasks already learned.
+    saved_as : str
+        The name that the task is kept under; empty if it comes from elsewhere.
     """
 
     scene: Scene
     setup: Setup
     task: Task | None = None
     saved: tuple[str, ...] = ()
+    saved_as: str = ""
 
 
 @dataclass(frozen=True, slots=True)

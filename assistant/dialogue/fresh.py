@@ -1,21 +1,12 @@
-"""A new task is begun; unsaved work is asked about first."""
+"""A new task is begun with the same things on the table."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask
-from assistant.dialogue.state import Dialogue, Introducing, Knowledge, Pending
+from assistant.dialogue.state import Dialogue, Introducing, Knowledge
 from assistant.dialogue.turn import Turn, changed, first, line, say
-
-
-def fresh_wanted(dialogue: Dialogue) -> Turn:
-    """Begin another task, after asking what becomes of this one if it is not saved."""
-    if not (dialogue.unsaved and dialogue.known.name):
-        return fresh(dialogue)
-    name = dialogue.saved_as or dialogue.known.name
-    question = line("ask", "unsaved.other", asked="unsaved", name=name)
-    return ask(replace(dialogue, pending=Pending("unsaved", question, after=("fresh", ""))))
 
 
 def fresh(dialogue: Dialogue) -> Turn:

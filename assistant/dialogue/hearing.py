@@ -78,7 +78,8 @@ def _by_words(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Wor
     named = named_other(dialogue, words.text)
     if named is not None and dialogue.other is not None:
         back, effects = taken_back(dialogue, dialogue.other)
-        return one_question(first(effects, act_on(back, named, Words(dialogue.other.words))))
+        both = Words(f"{dialogue.other.words}; {words.text}")
+        return one_question(first(effects, act_on(back, named, both)))
     if two_ways(dialogue, words.text, meant):
         turned = (acts.Translate("right"),)
         return doubted(replace(dialogue, misses=0), turned, words, other=meant)
@@ -236,7 +237,7 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
         case acts.Affirm() | acts.Approve() | acts.Start() if pending.line.topic == BEGIN_ANEW:
             return fresh(free)
         case acts.Affirm() | acts.Approve() | acts.Start():
-            return act_on_all(free, pending.acts, confirmed)
+            return practicing.begun_until(act_on_all(free, pending.acts, confirmed), pending.line)
         case acts.Undo() if is_guess(pending):
             # "Scratch that" to a guess takes the guess back, not what was done before.
             return tell(free, line("told", "as_it_was"))

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import re
 from dataclasses import replace
-from typing import Any
 
 from assistant.dialogue import introduction
 from assistant.dialogue.asking import ask, introduced, tell
-from assistant.dialogue.correcting import plain_feedback
+from assistant.dialogue.comparing import comparison
 from assistant.dialogue.effects import Arrange, Discard, Halt, Keep, Leave, Load, WriteDown
 from assistant.dialogue.events import Kept, Loaded
 from assistant.dialogue.fresh import fresh
-from assistant.dialogue.sketch import from_tree, names
-from assistant.dialogue.state import Closed, Dialogue, Knowledge, Pending
+from assistant.dialogue.sketch import from_tree
+from assistant.dialogue.state import After, Closed, Dialogue, Knowledge, Pending
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import About
@@ -24,14 +23,16 @@ EXISTS = "exists"
 
 
 def save(dialogue: Dialogue, name: str | None) -> Turn:
-    """Keep the task; ask before another task of that name is overwritten."""
+    """Keep the task; ask before what is kept under that name is overwritten by anything else."""
     known = dialogue.known
     wanted = name or dialogue.saved_as or known.name
     wanted = known_as(dialogue, wanted) or wanted
     if not wanted:
         return tell(dialogue, line("error", "nothing_to_save"))
-    if wanted in dialogue.saved and wanted != dialogue.saved_as:
-        question = line("confirm", "overwrite", asked="unsaved", name=wanted)
+    mine = wanted == dialogue.saved_as
+    if wanted in dialogue.saved and (not mine or dialogue.unsaved):
+        topic = "overwrite_own" if mine else "overwrite"
+        question = line("confirm", topic, asked="unsaved", name=wanted)
         pending = Pending(
             "unsaved", question, keep_name=wanted, leave=dialogue.leaving, after=dialogue.after
         )
@@ -125,10 +126,7 @@ def load(dialogue: Dialogue, name: str | None, *, comparing: bool = False) -> Tu
         return tell(dialogue, told)
     unsaved = dialogue.unsaved and dialogue.known.name and not comparing
     if unsaved:
-        mine = dialogue.saved_as or dialogue.known.name
-        question = line("ask", "unsaved.other", asked="unsaved", name=mine)
-        pending = Pending("unsaved", question, after=("load", found[0]))
-        return ask(replace(dialogue, pending=pending))
+        return ask_to_save(dialogue, "unsaved.other", after=("load", found[0]))
     return replace(dialogue, comparing=comparing), (Load(found[0]),)
 
 
@@ -174,33 +172,39 @@ def resumed(dialogue: Dialogue) -> Turn:
     return introduced(replace(dialogue, arm="rest"))
 
 
-def comparison(known: Knowledge, name: str, other: Task) -> Any:
-    """Return the line that tells how the present task differs from a kept one."""
-    here, there = names(known.root), names(from_tree(other.tree))
-    mine = [plain_feedback(one) for one in known.lesson.feedback] if known.lesson else []
-    theirs = [plain_feedback(one) for one in other.learned.feedback] if other.learned else []
-    added = [step for step in here if step not in there]
-    removed = [step for step in there if step not in here]
-    topic = "comparison" if added or removed or mine != theirs else "comparison_same"
-    return line(
-        "told",
-        topic,
-        name=name,
-        added=added,
-        removed=removed,
-        corrections=len([one for one in mine if one not in theirs]) or None,
-        fewer=len([one for one in theirs if one not in mine]) or None,
-    )
-
-
 def leave_wanted(dialogue: Dialogue) -> Turn:
     """End the session; with unsaved work only after a question."""
     halting = (Halt("stop"),) if dialogue.can_halt else ()
     still = replace(dialogue, arm="stopped" if halting else dialogue.arm)
     if not (still.unsaved and still.known.name):
         return first(halting, leave(still))
-    question = line("ask", "unsaved", asked="unsaved", name=still.saved_as or still.known.name)
-    return first(halting, ask(replace(still, pending=Pending("unsaved", question, leave=True))))
+    return first(halting, ask_to_save(still, "unsaved", leave=True))
+
+
+def fresh_wanted(dialogue: Dialogue) -> Turn:
+    """Begin another task, after asking what becomes of this one if it is not saved."""
+    if not (dialogue.unsaved and dialogue.known.name):
+        return fresh(dialogue)
+    return ask_to_save(dialogue, "unsaved.other", after=("fresh", ""))
+
+
+def ask_to_save(
+    dialogue: Dialogue, topic: str, *, leave: bool = False, after: After = ("", "")
+) -> Turn:
+    """Ask whether unsaved work is to be saved first, and say so if that replaces what is kept.
+
+    Parameters
+    ----------
+    topic : str
+        ``unsaved`` at the end, ``unsaved.other`` before something else.
+    """
+    mine = known_as(dialogue, dialogue.saved_as)
+    name = mine or dialogue.known.name
+    topic = {"unsaved": "unsaved.again"}.get(topic, f"{topic}_again") if mine else topic
+    question = line("ask", topic, asked="unsaved", name=name)
+    # Who says yes to this is not asked once more whether it may be replaced.
+    pending = Pending("unsaved", question, keep_name=mine, leave=leave, after=after)
+    return ask(replace(dialogue, pending=pending))
 
 
 def leave(dialogue: Dialogue) -> Turn:
@@ -217,7 +221,11 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
     if pending.line.topic == "discard":
         return _answer_discard(dialogue, pending.keep_name, act)
     free = replace(dialogue, pending=None, leaving=pending.leave, after=pending.after)
+    # "Save it first?" may be denied and the rest is done; "replace it?" leaves all as it was.
+    first_asked = pending.line.topic.startswith("unsaved")
     match act:
+        case acts.Save(None) if pending.keep_name and first_asked:
+            return free, (Keep(free.known.task, pending.keep_name, overwrite=True),)
         case acts.Affirm() | acts.Approve() if pending.keep_name:
             return free, (Keep(free.known.task, pending.keep_name, overwrite=True),)
         case acts.Affirm() | acts.Approve():
@@ -226,9 +234,9 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
             return save(free, name or pending.keep_name or None)
         case acts.Inform(value) if pending.keep_name and isinstance(value, str):
             return save(free, value)
-        case acts.Deny() | acts.Quit() if pending.leave and not pending.keep_name:
+        case acts.Deny() | acts.Quit() if pending.leave and first_asked:
             return leave(free)
-        case acts.Deny() if pending.after[0] and not pending.keep_name:
+        case acts.Deny() if pending.after[0] and first_asked:
             return _go_after(free)
         case acts.Deny():
             stays = replace(free, leaving=False, after=("", ""))

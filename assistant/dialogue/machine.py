@@ -118,7 +118,8 @@ def _begun(dialogue: Dialogue, event: Begun) -> Turn:
         return first(say(asking, greeting)[1], ask(asking))
     known = taken_up(known, event.task)
     greeting = line("greet", "with_task", about=About(known.name), task=known.name)
-    saved_as = known_as(open_dialogue, known.name)
+    # A file of the same name from elsewhere is another task.
+    saved_as = known_as(open_dialogue, event.saved_as)
     taught = replace(open_dialogue, known=known, saved_as=saved_as)
     return first(say(taught, greeting)[1], resumed(taught))
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.dialogue.asking import tell
+from assistant.dialogue.correcting import Correction
 from assistant.dialogue.doubting import doubted, is_guess
 from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.going_back import resettled
-from assistant.dialogue.listening import beneath
+from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.placing import thing_named
 from assistant.dialogue.state import Dialogue, Other
 from assistant.dialogue.turn import Turn, Words, line
@@ -16,6 +17,7 @@ from assistant.language.actions import mentioned_objects
 from assistant.language.asides import after
 from assistant.language.hints import hints, mentions
 from assistant.language.second import second_reading
+from assistant.language.understanding import understand
 from assistant.model import teacher_acts as acts
 
 
@@ -36,9 +38,39 @@ def named_other(dialogue: Dialogue, text: str) -> acts.TeacherAct | None:
         thing = thing_named(dialogue.known, told)
         return replace(kept.done, object=thing) if thing else None
     if isinstance(kept.done, acts.Translate | acts.Rotate | acts.Gripper | acts.AdjustSpeed):
+        otherwise = _change_meant(dialogue, told, kept.done)
+        if otherwise is not None:
+            return otherwise
         step = _step_meant(dialogue, told, kept.done.where)
         return replace(kept.done, where=acts.Where(step, "during")) if step else None
     return None
+
+
+def _change_meant(dialogue: Dialogue, told: str, done: Correction) -> acts.TeacherAct | None:
+    """Return a correction of the same kind at the same place: "no, I meant down"."""
+    now = replace(listening(dialogue), stage="practice", asked="satisfied")
+    language = dialogue.language
+    # "right" alone may be a yes; "more right" is not.
+    texts = (told, *(more.format(told=told) for more in hints("meant_more", language)))
+    read = (understand(text, now, language).acts for text in texts)
+    single = (meant[0] for meant in read if len(meant) == 1)
+    only = next((one for one in single if type(one) is type(done)), None)
+    if not isinstance(only, Correction) or only.where is not None:
+        return None
+    only = _as_far(only, done)
+    # A pace of all the task belongs to no step.
+    return replace(only, where=done.where if done.where and done.where.subtask else None)
+
+
+def _as_far(only: Correction, done: Correction) -> Correction:
+    """Return a correction as large as the one before it, where it tells no size of its own."""
+    if isinstance(only, acts.Translate) and isinstance(done, acts.Translate):
+        plain = only.distance_m is None and only.degree is None
+        return replace(only, distance_m=done.distance_m, degree=done.degree) if plain else only
+    if isinstance(only, acts.Rotate) and isinstance(done, acts.Rotate):
+        plain = only.angle_deg is None and only.degree is None
+        return replace(only, angle_deg=done.angle_deg, degree=done.degree) if plain else only
+    return only
 
 
 def _step_meant(dialogue: Dialogue, told: str, done: acts.Where | None) -> str:

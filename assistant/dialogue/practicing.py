@@ -24,6 +24,10 @@ from assistant.dialogue.turn import (
     then,
 )
 from assistant.model.robot_acts import RobotAct
+from assistant.model.task import primitives
+
+UNTIL = "begin_until"
+"""The question whether to begin anew and pause after a step."""
 
 
 def halted(dialogue: Dialogue, event: Halted) -> Turn:
@@ -68,6 +72,27 @@ def pause(dialogue: Dialogue) -> Turn:
     # Before anything could move, "wait" asks for time.
     practice = isinstance(dialogue.state, Ready | Ran | Running | Thinking | Watching)
     return say(dialogue, line("told", "still" if practice else "waiting"))
+
+
+def begun_until(turn: Turn, asked: RobotAct) -> Turn:
+    """Return the turn with its run to be paused after the step that a question named, if any."""
+    dialogue = turn[0]
+    if asked.topic != UNTIL or dialogue.run is None:
+        return turn
+    names = [leaf.name for leaf in primitives(dialogue.known.task.tree)]
+    position = names.index(asked.slots["name"]) if asked.slots["name"] in names else -1
+    return replace(dialogue, run=replace(dialogue.run, pause_after=position)), turn[1]
+
+
+def pause_there(dialogue: Dialogue) -> Turn:
+    """Pause where the teacher wanted to be once more."""
+    run = dialogue.run
+    leaves = primitives(dialogue.known.task.tree)
+    if run is None:
+        return dialogue, ()
+    told = line("told", "paused_after", name=leaves[run.pause_after].name)
+    paused = replace(dialogue, arm="paused", run=replace(run, pause_after=-1))
+    return first((Halt("pause"),), say(paused, told))
 
 
 def resume(dialogue: Dialogue) -> Turn:

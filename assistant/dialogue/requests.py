@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask, begin_run, places, tell
 from assistant.dialogue.effects import Arrange, Home
+from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.keeping import (
     answer_unsaved,
     discard_wanted,
@@ -16,6 +17,7 @@ from assistant.dialogue.keeping import (
     write_down,
 )
 from assistant.dialogue.naming import tidy_name
+from assistant.dialogue.practicing import UNTIL
 from assistant.dialogue.state import (
     Dialogue,
     Introducing,
@@ -31,9 +33,13 @@ from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.actions import mentioned_objects
 from assistant.language.asides import after
-from assistant.language.hints import hints, mentions
+from assistant.language.hints import hints, matter, mentions
 from assistant.model.setup import Place
+from assistant.model.task import primitives
 from assistant.model.teacher_acts import Again, Save
+
+LONGEST_SAVED = 4
+"""Words of a name told alone to save under; more are a sentence."""
 
 
 def requested(dialogue: Dialogue, words: Words) -> Turn | None:
@@ -55,11 +61,31 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
 
 
 def _rewind(dialogue: Dialogue, words: Words) -> Turn | None:
-    """Nothing runs backwards: offer to begin anew."""
-    if not after(words.text, "rewind", dialogue.language):
+    """Nothing runs backwards: offer to begin anew, and to pause where the teacher wants to be."""
+    told = after(words.text, "rewind", dialogue.language)
+    if not told:
         return None
-    question = line("confirm", "begin_anew", asked="ready")
+    step = _moment(dialogue, told)
+    question = line("confirm", UNTIL if step else "begin_anew", asked="ready", name=step)
     return ask(replace(dialogue, pending=Pending("ready", question, (Again(),), words.text)))
+
+
+def _moment(dialogue: Dialogue, told: str) -> str:
+    """Return the motion after which it was as told: "the block was picked up"; empty if unclear.
+
+    It is called by its name, or by what was grasped or let go in it.
+    """
+    known, language = dialogue.known, dialogue.language
+    leaves = [leaf.name for leaf in primitives(known.task.tree)]
+    index = find(known, told)
+    if index is not None and name_at(known, index) in leaves:
+        return name_at(known, index)
+    kind = matter(told, "moments", language)
+    things = mentioned_objects(told, known.objects or (), language)
+    stations = known.lesson.stations if known.lesson is not None else ()
+    hits = [one for one in stations if one.kind == kind]
+    named = [one for one in hits if one.object in things or one.frame in things] or hits
+    return named[0].primitive if len({one.primitive for one in named}) == 1 else ""
 
 
 def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
@@ -79,8 +105,14 @@ def _kept_task(dialogue: Dialogue, words: Words) -> Turn | None:
         and not mentions(told, hints("saved_version", dialogue.language))
     ):
         return load(dialogue, told, comparing=True)
-    doomed = known_as(dialogue, after(words.text, "delete_task", dialogue.language))
-    return discard_wanted(dialogue, doomed) if doomed else None
+    told = after(words.text, "delete_task", dialogue.language)
+    doomed = known_as(dialogue, told)
+    if doomed:
+        return discard_wanted(dialogue, doomed)
+    if not told or not mentions(told, hints("version_words", dialogue.language)):
+        return None
+    lost = line("error", "no_such_task", name=tidy_name(told), names=list(dialogue.saved))
+    return tell(dialogue, lost)
 
 
 def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
@@ -89,6 +121,7 @@ def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
     pending = dialogue.pending
     if pending is not None and pending.asked == "unsaved":
         name = name or tidy_name(after(words.text, "yes_as", dialogue.language))
+        name = name or _bare_name(pending, words.text, dialogue.language)
         return answer_unsaved(dialogue, Save(name)) if name else None
     just_saved = any((said.act, said.topic) == ("done", "saved") for said in dialogue.said)
     if just_saved and not name:
@@ -97,6 +130,15 @@ def _saved_as(dialogue: Dialogue, words: Words) -> Turn | None:
     if not name or pending is not None or not dialogue.known.name:
         return None
     return save(dialogue, name)
+
+
+def _bare_name(pending: Pending, text: str, language: str) -> str:
+    """Return the name that is told alone where another one was offered; empty for other talk."""
+    name = tidy_name(text)
+    told = re.findall(r"[^\W_]+", name.lower())
+    other = set(hints("no_names_to_save", language))
+    asks = "?" in text or pending.line.topic == "discard"
+    return "" if asks or not 0 < len(told) <= LONGEST_SAVED or other & set(told) else name
 
 
 def _written_down(dialogue: Dialogue, words: Words) -> Turn | None:

@@ -12,6 +12,7 @@ from assistant.errors import WorkFailed
 from assistant.files.demonstrations import read_demonstration
 from assistant.files.transcripts import transcript_of
 from assistant.language.hints import page
+from assistant.model.robot_acts import RobotAct
 from assistant.model.transcript import Demonstrate, Step, Wait
 from assistant.plain_yaml import read_text
 from assistant.ports import Hand, HandSample
@@ -101,16 +102,26 @@ def _found(step: Demonstrate, base: Path) -> Demonstrate:
     return replace(step, recording=str(path), cues=shown.cues, key_states=shown.key_states)
 
 
-def leave(session: Session, why: str = halting.NOBODY) -> None:
+def leave(session: Session, why: str = halting.NOBODY, *, tells: bool = False) -> None:
     """End the conversation because nobody is there any more: stop, then quit.
 
     What was not saved stays in the journal and can be resumed.
+
+    Parameters
+    ----------
+    session : Session
+    why : str
+    tells : bool
+        Somebody may still read it: unsaved work is told to be kept, as the question whether to
+        save it gets no answer.
     """
     if session.moving:
         session.halt(why)
         session.rest()
     if not session.left:
         session.hear(_for_teacher(session, "quit"))
+    if tells and not session.left and not session.journal.trouble:
+        session.tell(RobotAct("report", "left_unsaved"))
 
 
 def _for_teacher(session: Session, what: str) -> str:

@@ -100,6 +100,8 @@ def _result(event: events.Event, store: Store) -> dict[str, Any] | None:
             told: dict[str, Any] = _arranged(event.scene, event.setup, store)
             if event.task is not None:
                 told["task"] = store.task(event.task)
+            if event.saved_as:
+                told["saved_as"] = event.saved_as
             return {"begun": told | {"saved": list(event.saved)}}
         case events.Shown():
             return {"shown": _shown(event, store)}
@@ -185,9 +187,8 @@ def _plain(value: Any) -> Any:
 
 def _read_begun(told: Any, folder: Path) -> events.Event:
     task = read_task(folder / told["task"]) if "task" in told else None
-    return events.Begun(
-        read_scene(folder / told["scene"]), _setup(told, folder), task, tuple(told["saved"])
-    )
+    scene, saved = read_scene(folder / told["scene"]), tuple(told["saved"])
+    return events.Begun(scene, _setup(told, folder), task, saved, told.get("saved_as", ""))
 
 
 def _setup(told: Any, folder: Path) -> Setup:

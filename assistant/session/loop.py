@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Any
 
 from assistant.dialogue import events
@@ -108,11 +109,15 @@ class Session:
         """Plain values of the dialogue alone; safe to read while the arm ticks."""
         return public_view(self.dialogue)
 
-    def begin(self, scene: Scene, setup: Setup, task: Task | None, saved: tuple[str, ...]) -> None:
-        """Open the conversation."""
+    def begin(
+        self, scene: Scene, setup: Setup, task: Task | None, path: Path | None = None
+    ) -> None:
+        """Open the conversation, with the task of a file to go on with if one is given."""
         self.tell_trouble()
         self.mover.arrange(scene, setup)
-        self.happen(events.Begun(scene, setup, task, saved))
+        kept = path is not None and path.parent.resolve() == self.library.folder.resolve()
+        saved_as = path.stem if kept and path is not None else ""
+        self.happen(events.Begun(scene, setup, task, self.library.names(), saved_as))
 
     def close(self) -> None:
         """Give the journal free."""

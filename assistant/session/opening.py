@@ -68,19 +68,20 @@ def open_session(opening: Opening, header: Transcript, *, fed: bool = False) -> 
     check_spoken(header.language)
     base = Path(header.source).parent if header.source else Path()
     scene, setup = chosen(header.setup or SetupChoice(name=FIRST_SETUP), base)
-    task = read_task(base / header.task) if header.task else None
+    path = base / header.task if header.task else None
+    task = read_task(path) if path is not None else None
     journal = _new_journal(opening, replace(header, steps=()))
     session = _session(opening, journal, header, fed=fed)
     if not fed:
-        session.begin(scene, setup, task, opening.library.names())
+        session.begin(scene, setup, task, path)
     return session
 
 
-def _begin_anew(session: Session, header: Transcript, names: tuple[str, ...]) -> None:
+def _begin_anew(session: Session, header: Transcript) -> None:
     """Begin a session that was killed before its first event was written."""
     scene, setup = chosen(header.setup or SetupChoice(name=FIRST_SETUP), Path())
-    task = read_task(Path(header.task)) if header.task else None
-    session.begin(scene, setup, task, names)
+    path = Path(header.task) if header.task else None
+    session.begin(scene, setup, read_task(path) if path is not None else None, path)
 
 
 def _session(opening: Opening, journal: Journal, header: Transcript, *, fed: bool) -> Session:
@@ -128,7 +129,7 @@ def resume_session(opening: Opening, name: str) -> Session:
     session = _session(opening, journal, past, fed=False)
     session.store.learn_names()
     if not any(isinstance(step, Happened) for step in past.steps):
-        _begin_anew(session, past, opening.library.names())
+        _begin_anew(session, past)
         return session
     fed = feed(session, past.steps)
     session.mover.arrange(session.mover.scene, session.mover.setup)

@@ -99,7 +99,7 @@ class PlainShell:
             ticker.stop()
         if self._error is not None:
             raise self._error
-        leave(session)
+        leave(session, tells=True)
 
     def _take(self, session: Session, line: str) -> None:
         if line and not self._showing.take(session, line):

@@ -104,7 +104,7 @@ class TextShell:
                     self._turn(session, prompt)
         except EOFError:
             with ticker.lock:
-                leave(session)
+                leave(session, tells=True)
         finally:
             ticker.stop()
         if self._error is not None:

@@ -8,6 +8,7 @@ from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.task import Task
 from tests.dialogue.teaching import (
     SCENE,
     Lessons,
@@ -88,3 +89,80 @@ def test_a_task_is_written_down_for_people_when_that_is_asked_for() -> None:
 def test_a_step_may_be_called_writing_down() -> None:
     teacher = Lessons().open().tell("note").tell("it is written").tell(("block", "target")).tell(2)
     assert not teacher.hear(acts.Inform("write it down"), text="write it down").did(fx.WriteDown)
+
+
+def _saved() -> Lessons:
+    """Return a lesson that was saved, and corrected since."""
+    teacher = Lessons().ready()
+    teacher.happen(ev.Kept("version one"))
+    return teacher.hear(acts.Translate("up"), text="up a bit")
+
+
+def test_replacing_ones_own_saved_version_asks_too() -> None:
+    unchanged = Lessons().ready().happen(ev.Kept("version one")).hear(acts.Save())
+    assert unchanged.did(fx.Keep)
+    teacher = _saved().hear(acts.Save())
+    assert teacher.topics == ["confirm.overwrite_own"]
+    assert not teacher.did(fx.Keep)
+    refused = Lessons(teacher.dialogue).hear(acts.Deny())
+    assert refused.dialogue.unsaved
+    (keep,) = teacher.hear(acts.Affirm()).effects
+    assert keep == fx.Keep(teacher.dialogue.known.task, "version one", overwrite=True)
+
+
+def test_leaving_asks_once_whether_the_saved_version_is_replaced() -> None:
+    for act in (acts.Affirm(), acts.Save()):
+        teacher = _saved().hear(acts.Quit())
+        assert teacher.topics == ["ask.unsaved.again"]
+        teacher.hear(act)
+        assert fx.Keep(teacher.dialogue.known.task, "version one", overwrite=True) in (
+            teacher.effects
+        )
+        assert teacher.happen(ev.Kept("version one")).did(fx.Leave)
+    assert _saved().hear(acts.Quit()).hear(acts.Deny()).did(fx.Leave)
+    other = _saved().hear(acts.Quit()).hear(acts.Save("two"))
+    assert fx.Keep(other.dialogue.known.task, "two") in other.effects
+
+
+def test_a_name_told_alone_is_the_one_to_save_under() -> None:
+    teacher = _saved().hear(acts.Save()).hear(acts.Affirm(), text="version two", sure=0.4)
+    assert teacher.effects == (fx.Keep(teacher.dialogue.known.task, "version two"),)
+    for text in ("yes please", "do not replace it", "what is that?"):
+        asked = _saved().hear(acts.Save()).hear(acts.Unknown(), text=text, sure=0.4)
+        assert not asked.did(fx.Keep)
+
+
+def _compared(teacher: Lessons, other: Task) -> Lessons:
+    teacher.happen(ev.Kept("old")).hear(acts.Compare("old"))
+    return teacher.happen(ev.Loaded("old", other))
+
+
+def test_comparing_tells_each_difference() -> None:
+    teacher = Lessons().ready()
+    kept = teacher.dialogue.known.task
+    assert _compared(teacher, kept).topics[0] == "told.comparison_same"
+    teacher.hear(acts.Translate("up"), text="up a bit").hear(acts.Optional("grasp object"))
+    teacher.hear(acts.Unordered(("pick up object", "place object")))
+    _compared(teacher, replace(kept, goal="another"))
+    told = teacher.lines[0].slots
+    assert told["corrected"] == ["up a bit"]
+    assert told["optional"] == ["grasp object"]
+    assert told["unordered"] == ["pick and place"]
+    assert told["goal"] == "another"
+    said = phrase(teacher.lines[0])
+    assert "up a bit" in said
+    assert ";" not in said
+    assert phrase(teacher.lines[0], language="german")
+    back = Lessons(teacher.dialogue)
+    back.hear(acts.RemoveSubtask("move up object"))
+    assert _compared(back, kept).lines[0].slots["removed"] == ["move up object"]
+
+
+def test_a_task_shown_anew_is_not_the_same() -> None:
+    teacher = Lessons().ready()
+    kept = teacher.dialogue.known.task
+    assert kept.learned is not None
+    assert kept.learned.path is not None
+    path = replace(kept.learned.path, path=kept.learned.path.path + 0.01)
+    shown = replace(kept, learned=replace(kept.learned, path=path))
+    assert _compared(teacher, shown).topics[0] == "told.comparison_shown"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons, lesson
 
@@ -67,3 +69,30 @@ def test_a_no_to_one_of_two_readings_reads_the_other_back() -> None:
     teacher = Lessons().ready().hear(acts.Affirm(), text="right").hear(acts.Deny(), text="no")
     assert teacher.topics == ["confirm.did_you_mean"]
     assert teacher.lines[0].slots["acts"][0]["act"] == "affirm"
+
+
+def test_another_direction_was_meant() -> None:
+    teacher = Lessons().ready().run()
+    teacher.hear(acts.Translate("up", None, 0.004), text="4 mm up")
+    teacher.hear(acts.Deny(), acts.Translate("down"), text="no, I meant down", sure=0.5)
+    assert teacher.topics[:2] == ["done.undone", "done.translate"]
+    assert teacher.dialogue.known.lesson is not None
+    (kept,) = teacher.dialogue.known.lesson.feedback
+    assert kept.offset_m[2] == pytest.approx(-0.004)
+    assert kept.words == "4 mm up; no, I meant down"
+
+
+def test_another_turn_and_another_pace_were_meant() -> None:
+    teacher = Lessons().ready().run()
+    teacher.hear(acts.Rotate("up", None, 10.0), text="tilt up ten degrees")
+    teacher.hear(acts.Deny(), text="no, I meant down", sure=0.5)
+    assert teacher.lines[1].slots["size"] == pytest.approx(10.0)
+    teacher.hear(acts.AdjustSpeed("slower"), text="slower")
+    teacher.hear(acts.Deny(), text="no, I meant faster", sure=0.5)
+    assert teacher.topics[:2] == ["done.undone", "done.faster"]
+
+
+def test_a_no_before_a_guess_is_no_part_of_it() -> None:
+    teacher = Lessons().ready().run()
+    teacher.hear(acts.Deny(), acts.Translate("up"), text="no hup", sure=0.4)
+    assert [one["act"] for one in teacher.lines[-1].slots["acts"]] == ["translate"]
