@@ -116,3 +116,20 @@ def test_counting_up_ends_with_how_many() -> None:
 def test_joining_words_alone_are_no_list(text: str, asked: Asked) -> None:
     meant = understand(text, Listening(stage="introduction", asked=asked))
     assert meant.confidence < 0.85
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("by the end the cup is three quarters full", "the cup is three quarters full"),
+        ("the end game is every cap sits in the tray", "every cap sits in the tray"),
+        ("once it's all done the fork lies left of the plate", "the fork lies left of the plate"),
+    ],
+)
+def test_what_leads_to_a_goal_is_none_of_it(text: str, value: str) -> None:
+    assert _answer(text, "goal") == value
+
+
+@pytest.mark.parametrize("text", ["four, nah hold on, five", "three, no hold on, five steps"])
+def test_of_a_count_taken_back_the_later_holds(text: str) -> None:
+    assert _answer(text, "subtask_count") == 5

@@ -35,6 +35,9 @@ from assistant.model.teacher_acts import act_to_json
         ("a bit lo her", "practice", None,
          {"act": "translate", "direction": "down", "degree": "little"}),
         ("haud on a minute", "practice", None, {"act": "pause"}),
+        ("what now", "practice", None, {"act": "help"}),
+        ("bring it back", "practice", None, {"act": "redo"}),
+        ("watch me", "demonstration", "ready", {"act": "start"}),
     ],
 )  # fmt: skip
 def test_kinds_of_sentences_once_misunderstood(
@@ -42,3 +45,9 @@ def test_kinds_of_sentences_once_misunderstood(
 ) -> None:
     meant = understand(text, Listening(stage=stage, asked=asked))
     assert [act_to_json(one) for one in meant.acts] == [act]
+
+
+@pytest.mark.parametrize("text", ["do it over, a lot slower", "a lot slower, do it over"])
+def test_a_run_asked_for_once_more_is_not_lost_beside_how(text: str) -> None:
+    meant = understand(text, Listening(stage="practice"))
+    assert [act_to_json(one)["act"] for one in meant.acts] == ["adjust_speed", "again"]
