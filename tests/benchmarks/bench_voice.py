@@ -26,7 +26,8 @@ from assistant.model.teacher_acts import act_to_json
 from assistant.shells.voice.clips import ClipReader
 from assistant.shells.voice.deciding import is_unknown
 from assistant.shells.voice.endpointing import EndpointSettings
-from assistant.shells.voice.recognizers import Recognizer, installed
+from assistant.shells.voice.recognized import Recognizer
+from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import Sound
 from tests.benchmarks import voice_clips
 from tests.benchmarks.bench_language import same

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
+from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
 from assistant.shells.voice.sound import Samples
 
 
@@ -38,29 +38,34 @@ class Remembered:
                 key, took_s, readings = json.loads(line)
                 self._known[key] = (tuple(Recognized(*one) for one in readings), took_s)
 
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
+    def recognize(
+        self, samples: Samples, hot_words: Sequence[str] = (), *, loud: bool = False
+    ) -> tuple[Recognized, ...]:
         """Return the readings, made now or earlier; `took_s` gains the time they took."""
-        key = _key(samples, hot_words)
+        key = _key(samples, (*hot_words, "loud") if loud else hot_words)
         if key not in self._known:
             began_s = time.process_time()
-            readings = self._recognizer.recognize(samples, hot_words)
+            readings = self._recognizer.recognize(samples, hot_words, loud=loud)
             self._keep(key, readings, time.process_time() - began_s)
         readings, took_s = self._known[key]
         self.took_s.append(took_s)
         return readings
 
-    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+    def likelihoods(
+        self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
+    ) -> tuple[float, ...]:
         """Return how well phrases explain the sound, asking only about those not asked before."""
-        keys = [_key(samples, ("likelihood", phrase)) for phrase in phrases]
+        kind = "loud likelihood" if loud else "likelihood"
+        keys = [_key(samples, (kind, phrase)) for phrase in phrases]
         new = [phrase for key, phrase in zip(keys, phrases, strict=True) if key not in self._known]
         if new:
             assert isinstance(self._recognizer, Weigher)
             began_s = time.process_time()
-            told = self._recognizer.likelihoods(samples, new)
+            told = self._recognizer.likelihoods(samples, new, loud=loud)
             took_s = (time.process_time() - began_s) / len(new)
             for phrase, likelihood in zip(new, told, strict=True):
                 one = (Recognized(phrase, round(likelihood, 3)),)
-                self._keep(_key(samples, ("likelihood", phrase)), one, took_s)
+                self._keep(_key(samples, (kind, phrase)), one, took_s)
         self.took_s[-1] += sum(self._known[key][1] for key in keys)
         return tuple(self._known[key][0][0].sure for key in keys)
 

@@ -19,10 +19,11 @@ from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Deny
 from assistant.shells.voice.deciding import Heard, Reading, decided, is_sure, means
 from assistant.shells.voice.phrasebank import mended, named, near, related
-from assistant.shells.voice.recognizers import Weigher
+from assistant.shells.voice.recognized import Weigher
 from assistant.shells.voice.repairing import repaired, written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 from assistant.shells.voice.weighing import length_penalty, weighed
+from assistant.shells.voice.wording import wording
 
 SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
 ALIKE = 8
@@ -61,6 +62,8 @@ class Said:
     phrases : sequence of str
         What may well be said now.
     listening : Listening
+    loud : bool
+        Whether the room is.
     """
 
     samples: Samples
@@ -68,6 +71,7 @@ class Said:
     readings: Sequence[Reading]
     phrases: Sequence[str]
     listening: Listening
+    loud: bool = False
 
     @property
     def texts(self) -> tuple[str, ...]:
@@ -98,6 +102,7 @@ class Chooser:
     def __init__(self, slow: Weigher, language: str = "english") -> None:
         self._slow = slow
         self._language = language
+        self._wording = wording(language)
         self._unheard: dict[str, float] = {}
 
     def choose(self, said: Said) -> Heard:
@@ -120,18 +125,31 @@ class Chooser:
             for text in dict.fromkeys(texts)
             if text in said.texts or length_penalty(text, said.speech_s) < TOO_LONG
         )
-        found = zip(fitting, self._slow.likelihoods(said.samples, fitting), strict=True)
+        likely = self._slow.likelihoods(said.samples, fitting, loud=said.loud)
+        found = zip(fitting, likely, strict=True)
         told = {text: one - self._rare(text, said.listening) for text, one in found}
         before = self._before([phrase for phrase in phrases if phrase in told])
         before |= {text: MENDED for text in mends if text in told}
         meant = {text: self._meaning(text, said.listening) for text in told}
         surely = frozenset() if said.free else {text for text in meant if means(meant[text])}
-        shares = weighed(told, said.speech_s, expected=before, agreed=said.seconded, meant=surely)
+        shares = weighed(
+            told,
+            said.speech_s,
+            expected=before,
+            agreed=said.seconded,
+            meant=surely,
+            worded=self._worded(text for text in told if text not in phrases),
+        )
         return decided(shares, lambda text: meant[text])
 
     def _meaning(self, text: str, listening: Listening) -> Understanding:
         said = written(text, listening.asked, self._language)
         return understand(said, listening, self._language)
+
+    def _worded(self, texts: Iterable[str]) -> dict[str, float]:
+        """Return how likely a teacher says each text, where that is known."""
+        known = self._wording
+        return {} if known is None else {text: known.likelihood(text) for text in texts}
 
     def _rare(self, text: str, listening: Listening) -> float:
         """Return what is taken off a reading that is hardly ever said here."""

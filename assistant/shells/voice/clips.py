@@ -16,7 +16,8 @@ from assistant.shells.voice.deciding import SURE, is_unknown
 from assistant.shells.voice.endpointing import frames_in, silero, utterances_in, utterances_of
 from assistant.shells.voice.hearing import Hearing
 from assistant.shells.voice.phonemes import distance, phonemes
-from assistant.shells.voice.recognizers import Recognizer, installed
+from assistant.shells.voice.recognized import Recognizer
+from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import (
     PIECE_S,
     RATE_HZ,

@@ -34,12 +34,12 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.recognizers import Recognized, Recognizer, Weigher
+from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
 from assistant.shells.voice.repairing import written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
 CLEAR_DB = 22.0
-"""In a louder room a second opinion is always asked for."""
+"""In a louder room a second opinion is always asked for, and recognizers take all care."""
 QUICK = 0.5
 """What the quickest recognizer's reading weighs beside those of another."""
 NEAR = 0.35
@@ -54,6 +54,14 @@ SINGLE_WORDS = (
 
 CUES = ("next", "now", "then", "next one", "second step", "third step", "last step", "finished")
 """Said alone while a hand shows the task, beside what the phrasebook suggests."""
+
+SENTENCES = (
+    "move a bit to the left", "go up two centimeters", "turn it clockwise",
+    "a little faster please", "open the gripper", "close the hand", "show me the steps",
+    "grasp must come before lift", "you can skip lifting", "show the demonstration again",
+    "pick up the block", "pull it back slightly",
+)  # fmt: skip
+"""Such as teachers say; a recognizer that was told some reads others better."""
 
 COUNTS = ("none", "one", "two", "three", "four", "five", "six")
 """Said alone where a number is asked for."""
@@ -88,28 +96,24 @@ class Hearing:
     def _heard(self, samples: Samples, listening: Listening) -> Heard:
         phrases = expected(listening, self._language)
         near_by = foreground(samples)
+        loud = near_by.clear_db < CLEAR_DB
         samples = _long_enough(near_by.samples)
         readings: list[Reading] = []
         for recognizer in self._recognizers:
-            found = recognizer.recognize(samples, hot_words(listening, phrases))
+            hot = hot_words(listening, phrases, self._language)
+            found = recognizer.recognize(samples, hot, loud=loud)
             last = recognizer is self._recognizers[-1]
             weight = 1.0 if last else QUICK
             read = [self._read(one, weight, recognizer.name, listening) for one in found]
-            clear = near_by.clear_db >= CLEAR_DB
-            if not last and clear and read and trusted(read[0], listening):
+            if not last and not loud and read and trusted(read[0], listening):
                 return as_heard(read[0], 1.0)
             readings += read
-        return self._settled(samples, near_by.speech_s, readings, phrases, listening)
+        said = Said(samples, near_by.speech_s, readings, phrases, listening, loud)
+        return self._settled(said)
 
-    def _settled(
-        self,
-        samples: Samples,
-        speech_s: float,
-        readings: Sequence[Reading],
-        phrases: Sequence[str],
-        listening: Listening,
-    ) -> Heard:
+    def _settled(self, said: Said) -> Heard:
         """Return what all readings come to."""
+        readings, phrases, listening = said.readings, said.phrases, said.listening
         if listening.moving and any(has_stop_word(one.text, self._language) for one in readings):
             # While the arm moves any reading may stop it: a stop for nothing costs little.
             return Heard("stop", Understanding((Stop(),), 1.0, "stop"))
@@ -120,7 +124,7 @@ class Hearing:
         if named is not None and sure and not rivals(named.text, listening):
             return named
         if self._chooser is not None and readings:
-            return self._chooser.choose(Said(samples, speech_s, readings, phrases, listening))
+            return self._chooser.choose(said)
         return voted(readings, phrases) or self._by_sound(readings, phrases, listening)
 
     def _read(
@@ -161,10 +165,14 @@ def expected(listening: Listening, language: str) -> tuple[str, ...]:
     return tuple(dict.fromkeys((*phrases, *alone)))
 
 
-def hot_words(listening: Listening, phrases: Sequence[str]) -> tuple[str, ...]:
+def hot_words(
+    listening: Listening, phrases: Sequence[str], language: str = "english"
+) -> tuple[str, ...]:
     """Return what the recognizer should expect: the task's names first, then phrases."""
     names = (listening.task, *listening.objects, *listening.subtasks)
-    return tuple(dict.fromkeys(name for name in (*names, *phrases) if name))[:60]
+    first = tuple(dict.fromkeys(name for name in (*names, *phrases) if name))[:60]
+    free = listening.asked in OPEN or listening.stage == "demonstration"
+    return first if free or language != "english" else (*first, *SENTENCES)
 
 
 def _long_enough(samples: Samples) -> Samples:

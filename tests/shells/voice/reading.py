@@ -12,7 +12,7 @@ from assistant.model.teacher_acts import (
 )
 from assistant.shells.voice.deciding import SURE, Heard, is_unknown
 from assistant.shells.voice.hearing import Hearing
-from assistant.shells.voice.recognizers import Recognized
+from assistant.shells.voice.recognized import Recognized
 from assistant.shells.voice.sound import Samples
 
 PRACTICE = Listening(stage="practice")
@@ -33,7 +33,9 @@ class Reads:
         self.readings = tuple(Recognized(text, sure) for text, sure in readings)
         self.asked = 0
 
-    def recognize(self, samples: Samples, hot_words: Sequence[str] = ()) -> tuple[Recognized, ...]:
+    def recognize(
+        self, samples: Samples, hot_words: Sequence[str] = (), *, loud: bool = False
+    ) -> tuple[Recognized, ...]:
         self.asked += 1
         return self.readings
 
@@ -56,5 +58,7 @@ class Weighs(Reads):
         super().__init__(*readings)
         self.likely = likely
 
-    def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+    def likelihoods(
+        self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
+    ) -> tuple[float, ...]:
         return tuple(self.likely.get(phrase, -30.0) for phrase in phrases)

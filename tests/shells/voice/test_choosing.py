@@ -147,9 +147,11 @@ def test_a_whole_sentence_that_was_read_is_weighed_against_readings_only() -> No
     class Counts(Weighs):
         asked_about = 0
 
-        def likelihoods(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
+        def likelihoods(
+            self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
+        ) -> tuple[float, ...]:
             self.asked_about += len(phrases)
-            return super().likelihoods(samples, phrases)
+            return super().likelihoods(samples, phrases, loud=loud)
 
     text = "move a bit more to the left"
     slow = Counts({text: -2.0, "mother bit more": -9.0}, (text, 0.9), ("mother bit more", 0.2))

@@ -1,4 +1,4 @@
-"""Recognized words in one form, whatever recognizer wrote them; what is spelled is a word."""
+"""Whisper tells how well words explain a sound, and reads what was said."""
 
 from __future__ import annotations
 
@@ -8,25 +8,8 @@ import numpy as np
 import pytest
 
 from assistant.shells.voice.mouth import Mouth, Voice
-from assistant.shells.voice.recognizers import Whisper, packaged_whisper, plain_words
 from assistant.shells.voice.sound import read_sound
-
-
-@pytest.mark.parametrize(
-    ("written", "words"),
-    [
-        ("Move a bit, to the LEFT!", "move a bit to the left"),
-        ("It's called pick-and-place.", "it's called pick and place"),
-        ("B-L-O-C-K.", "block"),
-        ("R. E. D. block", "red block"),
-        ("call it b l u e", "call it blue"),
-        ("a b", "a b"),
-        ("1.5 mm", "1.5 mm"),
-        ("", ""),
-    ],
-)
-def test_words_are_plain(written: str, words: str) -> None:
-    assert plain_words(written) == words
+from assistant.shells.voice.whisper import Whisper, packaged_whisper
 
 
 @pytest.mark.voice

@@ -1,0 +1,69 @@
+"""What recognizers share: the port, and words in one form whatever recognizer wrote them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+from assistant.shells.voice.sound import Samples
+
+FEWEST_LETTERS = 3
+"""So many letters on end are a word that is spelled."""
+
+
+@dataclass(frozen=True, slots=True)
+class Recognized:
+    """Words, lower case and without punctuation, empty for none; and how sure of them it is."""
+
+    text: str
+    sure: float = 1.0
+
+
+class Recognizer(Protocol):
+    """Turns the sound of one utterance into words."""
+
+    name: str
+
+    def recognize(
+        self, samples: Samples, hot_words: Sequence[str] = (), *, loud: bool = False
+    ) -> tuple[Recognized, ...]:
+        """Return what may have been said, the likeliest first; nothing for no words.
+
+        In a loud room, that is with `loud`, more care may be worth its time.
+        """
+        ...
+
+
+@runtime_checkable
+class Weigher(Protocol):
+    """A recognizer that can tell how well given words explain a sound."""
+
+    def likelihoods(
+        self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
+    ) -> tuple[float, ...]:
+        """Return a natural logarithm for each phrase; `loud` as where it was recognized."""
+        ...
+
+
+def plain_words(text: str) -> str:
+    """Return recognized text in lower case without punctuation, apostrophes kept."""
+    kept = "".join(
+        letter if letter.isalnum() or letter in "'.-%" else " " for letter in text.lower()
+    )
+    words = (word.strip(".-'") for word in kept.replace("-", " ").split())
+    return _unspelled([word for word in words if word])
+
+
+def _unspelled(words: Sequence[str]) -> str:
+    """Return words with what was spelled letter by letter put together."""
+    told: list[str] = []
+    letters: list[str] = []
+    for word in (*words, ""):
+        if len(word) == 1 and word.isalpha():
+            letters.append(word)
+            continue
+        told += ["".join(letters)] if len(letters) >= FEWEST_LETTERS else letters
+        told += [word] if word else []
+        letters = []
+    return " ".join(told)

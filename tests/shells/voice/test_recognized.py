@@ -1,0 +1,24 @@
+"""Recognized words in one form, whatever recognizer wrote them; what is spelled is a word."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.shells.voice.recognized import plain_words
+
+
+@pytest.mark.parametrize(
+    ("written", "words"),
+    [
+        ("Move a bit, to the LEFT!", "move a bit to the left"),
+        ("It's called pick-and-place.", "it's called pick and place"),
+        ("B-L-O-C-K.", "block"),
+        ("R. E. D. block", "red block"),
+        ("call it b l u e", "call it blue"),
+        ("a b", "a b"),
+        ("1.5 mm", "1.5 mm"),
+        ("", ""),
+    ],
+)
+def test_words_are_plain(written: str, words: str) -> None:
+    assert plain_words(written) == words
