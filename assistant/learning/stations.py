@@ -58,6 +58,8 @@ def visits(
         name = leaf.name if leaf else leaves[position].name if leaves else ""
         if leaf:
             used.add(leaf.name)
+        if event.kind == "close" and leaf and _closes_empty(task, leaf, leaves):
+            continue
         if event.kind == "close":
             held = _object(task, leaves, leaf, position, found)
             found.append(Visit("grasp", event.at_s, name, held, held))
@@ -183,6 +185,21 @@ def _leaf(
         )
         return telling[str(nearest.primitive)]
     return next(iter(telling.values()), None)
+
+
+def _closes_empty(task: Task, leaf: Primitive, leaves: Sequence[Primitive]) -> bool:
+    """Return whether a step closes the hand to push with: it stays closed, and comes first.
+
+    It names nothing, no motion has brought the hand to anything, and it is never opened again
+    though a thing that could be grasped is only approached then.
+    """
+    at = leaves.index(leaf)
+    if leaf.action.object or any(one.action.verb != "hand" for one in leaves[:at]):
+        return False
+    later = [one.action for one in leaves[at + 1 :]]
+    if any((one.verb, one.way) == ("hand", "open") for one in later):
+        return False
+    return any(one.way == "approach" and _role(task, one.object) == "object" for one in later)
 
 
 def _position(at_s: float, leaves: Sequence[Primitive], episodes: Sequence[Episode]) -> int:

@@ -74,8 +74,8 @@ def test_other_teachers_ways_keep_their_jerk_too(generator: ModuleType, seed: in
         told = measured(made, plan, path, SCENE, setup)
         assert max(errors(plan, path, setup)) < 1e-9
         assert told["peak_speed_ratio"] <= 1.0
-        least = least_jerk_ratio(made, plan, path, setup)
-        assert told["jerk_ratio"] <= max(1.15, 1.05 * least)
+        assert told["jerk_ratio"] <= 1.15
+        assert told["duration_ratio"] <= 1.2
 
 
 @pytest.mark.parametrize("seed", [4, 9])

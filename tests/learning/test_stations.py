@@ -55,3 +55,19 @@ def test_touches_are_the_ends_of_motions_to_things() -> None:
         ("block", 5.0),
         ("target", 9.5),
     ]
+
+
+def closing(*later: Primitive, moved: bool = False) -> list[str]:
+    """Return the visits of a task whose second step closes the hand, as `visits` finds them."""
+    first = Primitive("begin", Action("move", "down") if moved else Action("hand", "open"))
+    tree = Subtask("all", (first, Primitive("fist", Action("hand", "close")), *later))
+    return [one.kind for one in visits(Task("all", tree, "", task().objects), (CLOSE,), ())]
+
+
+def test_a_hand_that_is_closed_before_all_else_to_push_with_grasps_nothing() -> None:
+    reach = Primitive("reach", Action("move", "approach", "block"))
+    assert closing(reach) == []
+    # It may hold something if it was moved before, is opened again, or approaches a target.
+    assert closing(reach, moved=True) == ["grasp"]
+    assert closing(reach, Primitive("let go", Action("hand", "open"))) == ["grasp"]
+    assert closing(Primitive("bring", Action("move", "approach", "target"))) == ["grasp"]
