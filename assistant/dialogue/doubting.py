@@ -12,6 +12,7 @@ from assistant.dialogue.asking import ask, question, tell
 from assistant.dialogue.finding import candidates
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import as_said, begins_or_ends_with_verb, is_odd, steps_in, tidy
+from assistant.dialogue.placing import thing_meant
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.turn import Turn, Words, first, line, say
@@ -148,6 +149,8 @@ def _of_what_was_asked(dialogue: Dialogue, act: acts.TeacherAct) -> acts.Teacher
     state = dialogue.state
     if isinstance(state, Introducing) and isinstance(act, acts.SetPose) and not act.object:
         return replace(act, object=state.thing)
+    if isinstance(act, acts.SetPose):
+        return replace(act, object=thing_meant(dialogue, act) or act.object)
     return act
 
 

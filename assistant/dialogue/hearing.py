@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
-from types import MappingProxyType
 
 from assistant.dialogue import heard_names, keeping, practicing, showing
 from assistant.dialogue.asides import aside
@@ -39,13 +38,12 @@ from assistant.dialogue.state import (
     Pending,
     Watching,
 )
-from assistant.dialogue.turn import Turn, Words, changed, first, line, say, with_other
+from assistant.dialogue.turn import Turn, Words, changed, first, in_full, line, say, with_other
 from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.dialogue.wondering import asks_why, wondered
 from assistant.language.hints import hints, mentions
 from assistant.language.slips import stands
 from assistant.model import teacher_acts as acts
-from assistant.model.robot_acts import RobotAct
 from assistant.model.settings import SafetySettings
 
 SAFETY = SafetySettings()
@@ -210,12 +208,6 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return None
 
 
-def in_full(said: RobotAct) -> RobotAct:
-    """Return a line as it is said the first time."""
-    slots = {name: value for name, value in said.slots.items() if name != "again"}
-    return replace(said, slots=MappingProxyType({**slots, "again": False}))
-
-
 def _leaving(dialogue: Dialogue) -> bool:
     return dialogue.pending is not None and dialogue.pending.leave
 
@@ -294,7 +286,9 @@ def _faced(dialogue: Dialogue, pending: Pending, act: acts.TeacherAct, words: Wo
     waiting = Words(pending.words, words.by_voice, sure=words.sure)
     said = say(standing, line("told", f"facing_{facing}"))[1]
     shown = shown_left(standing)
-    done = first((*said, *shown[1]), act_on_all(shown[0], pending.acts, waiting))
+    # A place told by another thing is no act of its own: its words are heard again.
+    rest = None if pending.acts else requested(shown[0], waiting)
+    done = first((*said, *shown[1]), rest or act_on_all(shown[0], pending.acts, waiting))
     if told or isinstance(act, acts.Inform | acts.Affirm | acts.Deny):
         return done
     return first(done[1], act_on(done[0], act, words))

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
-from typing import Literal
+from typing import Any, Literal
 
 from assistant.dialogue.asking import ask, begin_run, places, proceed, tell
 from assistant.dialogue.effects import Arrange
@@ -32,7 +33,7 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     """Put a thing where the teacher says; numbers that were not typed are confirmed first."""
     if dialogue.busy:
         return say(dialogue, line("error", "while_moving"))
-    known, thing = dialogue.known, _thing_meant(dialogue, act)
+    known, thing = dialogue.known, thing_meant(dialogue, act)
     if not thing:
         told = line("error", "no_such_thing", thing=act.object, names=_things(known))
         return tell(dialogue, told)
@@ -46,15 +47,17 @@ def set_pose(dialogue: Dialogue, act: acts.SetPose, words: str, *, sure: bool) -
     if not sure:
         question = line("confirm", "place", asked="did_you_mean", **told.slots)
         return tell(replace(dialogue, pending=Pending("did_you_mean", question, (act,), words)))
-    done = placed(dialogue, thing, place)
+    done = placed(dialogue, thing, place, by_mm=list(act.by_mm) if act.by_mm else None)
     others = [one.name for one in known.objects or () if one.name != thing]
     other = (replace(act, object=others[0]),) if len(others) == 1 else ()
     return with_other(dialogue, done[0], other, Words(words), act), done[1]
 
 
-def _thing_meant(dialogue: Dialogue, act: acts.SetPose) -> str:
+def thing_meant(dialogue: Dialogue, act: acts.SetPose) -> str:
     """Return the thing a place is told of: the one named, else the one asked about."""
     thing = thing_named(dialogue.known, act.object)
+    if not thing and act.object.lower() in hints("pronouns", dialogue.language):
+        thing = pointed_at(dialogue)
     if thing or not isinstance(dialogue.state, Introducing):
         return thing
     # "A flat box 12 by 12 by 1" tells a size, however much it looks like a place.
@@ -62,13 +65,32 @@ def _thing_meant(dialogue: Dialogue, act: acts.SetPose) -> str:
     return "" if sized else dialogue.state.thing
 
 
-def placed(dialogue: Dialogue, thing: str, place: Place) -> Turn:
-    """Put a thing somewhere, tell it, and look whether the arm can reach it there."""
+def pointed_at(dialogue: Dialogue) -> str:
+    """Return the thing that "it" is: the one moved last, else the one that is carried."""
+    carried = [one.name for one in dialogue.known.objects or () if one.role == "object"]
+    return _last_moved(dialogue) or (carried[0] if len(carried) == 1 else "")
+
+
+def _last_moved(dialogue: Dialogue) -> str:
+    """Return the one thing that the last change put elsewhere; empty if none, or several."""
+    before = dialogue.past[-1] if dialogue.past else None
+    if before is None or before.label != "setup":
+        return ""
+    was, now = before.known.setup.places, dialogue.known.setup.places
+    moved = [name for name, place in now.items() if was.get(name) != place]
+    return moved[0] if len(moved) == 1 else ""
+
+
+def placed(dialogue: Dialogue, thing: str, place: Place, **how: Any) -> Turn:
+    """Put a thing somewhere, tell it, and look whether the arm can reach it there.
+
+    `how` tells what the place was told by: another thing, or how far from where it was.
+    """
     setup = dialogue.known.setup
     moved = replace(setup, name="told", places={**setup.places, thing: place})
     known = replace(dialogue.known, setup=moved)
     after = replace(changed(dialogue, "setup", known, clean=dialogue.clean), pending=None)
-    told = line("read_back", "place", thing=thing, place=plain_place(place))
+    told = line("read_back", "place", thing=thing, place=plain_place(place), **how)
     arrange = Arrange(moved, known.scene)
     said = (*say(after, told)[1], arrange)
     if isinstance(dialogue.state, Ready | Ran | Running):
@@ -108,7 +130,8 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
         kind = "body"
     elif act.position_mm is not None:
         kind = _likely_kind(known.scene, thing, act.position_mm, kind)
-    turned: Triple = act.rpy_deg or (old.rpy_deg if old is not None else (0.0, 0.0, 0.0))
+    was: Triple = old.rpy_deg if old is not None else (0.0, 0.0, 0.0)
+    turned = _turned(act, was, words, known.language)
     if act.position_mm is not None:
         return Place(kind, act.position_mm, turned)
     if old is None:
@@ -116,6 +139,18 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
     dx, dy, dz = _from_robot(known, act.by_mm or (0.0, 0.0, 0.0))
     x, y, z = old.xyz_mm
     return Place(old.kind, (x + dx, y + dy, z + dz), turned)
+
+
+def _turned(act: acts.SetPose, was: Triple, words: str, language: str) -> Triple:
+    """Return how a thing is turned: as told, or by so much further than it was."""
+    if act.rpy_deg is None:
+        return was
+    told = words.lower()
+    by = act.position_mm is None and mentions(told, hints("turning_by", language))
+    if not by or re.search(rf"\b(?:{'|'.join(hints('turning_to', language))})\s+-?\d", told):
+        return act.rpy_deg
+    roll, pitch, yaw = (a + b for a, b in zip(was, act.rpy_deg, strict=True))
+    return (roll, pitch, (yaw + 180.0) % 360.0 - 180.0)
 
 
 def _likely_kind(scene: Scene, thing: str, xyz_mm: Triple, kind: Kind) -> Kind:
@@ -143,4 +178,4 @@ def _from_robot(known: Knowledge, by_mm: Triple) -> Triple:
     return (-by_mm[0], -by_mm[1], by_mm[2])
 
 
-__all__ = ["new_place", "placed", "places", "set_pose", "thing_named"]
+__all__ = ["new_place", "placed", "places", "pointed_at", "set_pose", "thing_meant", "thing_named"]

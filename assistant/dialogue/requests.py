@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from assistant.dialogue.asking import ask, begin_run, places, tell
-from assistant.dialogue.effects import Arrange, Home
+from assistant.dialogue.asking import ask, begin_run, tell
+from assistant.dialogue.beside import rearranged, restored, told_beside
+from assistant.dialogue.doubting import without_guess
+from assistant.dialogue.effects import Home
 from assistant.dialogue.finding import find, name_at
 from assistant.dialogue.keeping import (
     answer_unsaved,
@@ -29,7 +31,7 @@ from assistant.dialogue.state import (
     Watching,
 )
 from assistant.dialogue.taking_back import numbered
-from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then
+from assistant.dialogue.turn import Turn, Words, line, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.actions import mentioned_objects
 from assistant.language.asides import after
@@ -52,8 +54,9 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
         if turn is not None:
             return turn
     if not isinstance(dialogue.state, Ready | Running | Ran):
-        return numbered(calm, words)
-    for reply in (numbered, _rewind, _swapped, _pointed, _look_ahead, _home):
+        return numbered(calm, words) or told_beside(calm, words)
+    calm = without_guess(calm)
+    for reply in (numbered, _rewind, restored, _swapped, told_beside, _pointed, _look_ahead, _home):
         turn = reply(calm, words)
         if turn is not None:
             return turn
@@ -193,11 +196,7 @@ def _swapped(dialogue: Dialogue, words: Words) -> Turn | None:
     if len(names) != 2 or any(name not in known.scene.bodies for name in names):
         return tell(dialogue, line("error", "swap_which", names=[one.name for one in placed]))
     setup = replace(known.setup, name="swapped", places=_exchanged(known, names[0], names[1]))
-    after_it = replace(dialogue, state=Ready(), arm="rest", pending=None)
-    moved = changed(after_it, "setup", replace(known, setup=setup), clean=dialogue.clean)
-    said = line("read_back", "setup", setup=setup.name, places=places(moved.known))
-    shown = then(say(moved, said), Arrange(setup, known.scene))
-    return first(shown[1], begin_run(moved, look=True))
+    return rearranged(dialogue, setup)
 
 
 def _exchanged(known: Knowledge, one: str, other: str) -> dict[str, Place]:

@@ -87,6 +87,12 @@ def changed(
     return after if label in ASIDE else replace(after, unsaved=True, agreed=False)
 
 
+def in_full(said: RobotAct) -> RobotAct:
+    """Return a line as it is said the first time."""
+    slots = {name: value for name, value in said.slots.items() if name != "again"}
+    return replace(said, slots=MappingProxyType({**slots, "again": False}))
+
+
 def with_other(
     before: Dialogue,
     after: Dialogue,

@@ -58,6 +58,11 @@ def _ways(wording: Wording, value: Any) -> str:
     return wording.joined(told)
 
 
+def _turns(wording: Wording, value: Any) -> str:
+    """Return roll, pitch and yaw in degrees, or the yaw alone where there is nothing else."""
+    return _numbers(wording, value if any(value[:2]) else value[2:])
+
+
 def _mm(wording: Wording, value: Any) -> str:
     return f"{wording.number(1000.0 * abs(float(value)))} mm"
 
@@ -235,6 +240,7 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "percent": _percent,
     "mm": _mm,
     "ways": _ways,
+    "turns": _turns,
     "deg": _deg,
     "action": _action,
     "conditions": _conditions,
