@@ -20,8 +20,8 @@ from assistant.shells.wrapping import columns, wrapped
 
 QUIET, STRONG = "ansibrightblack", "bold"
 INDENT, APART = 1, 3
-NARROW, WIDE, LOW, HIGH, OTHERS = 12, 24, 7, 15, 17
-"""Bounds of a picture's columns and rows, and how many lines are about for the rest."""
+NARROW, WIDE, LOW, HIGH, FEWEST = 12, 24, 7, 15, 4
+"""Bounds of a picture's columns and rows, wanted and at the least; smaller ones show nothing."""
 Lines = list[StyleAndTextTuples]
 
 
@@ -50,17 +50,31 @@ class Screen:
         self._press = press
         self.facing = session.dialogue_view.get("facing") == "facing"
         self.areas: tuple[Area, ...] = ()
-        self._sights = self._chosen(session.mover.look)
+        self._size, self._rest = (0, 0), 0
+        self._sights: tuple[Sight, ...] = ()
 
-    def _chosen(self, look: ArmLook) -> tuple[Sight, Sight]:
+    def _fitted(self, look: ArmLook, rest: int) -> None:
+        """Choose the pictures anew where the terminal was resized, or the rest needs more room.
+
+        What a teacher needs most, the ways and what happens, is never cut off below.
+        """
+        wide, high = shutil.get_terminal_size()
+        size = (wide, high)
+        if size == self._size and rest <= self._rest:
+            return
+        self._rest = rest if size != self._size else max(rest, self._rest)
+        self._size = size
+        rows = min(high - self._rest - 2, HIGH)
+        across = (columns() - 1 - INDENT - APART) // (2 * CHARACTERS)
+        fits = rows >= FEWEST and across >= NARROW
+        self._sights = self._chosen(look, rows, min(across, WIDE)) if fits else ()
+
+    def _chosen(self, look: ArmLook, rows: int, across: int) -> tuple[Sight, Sight]:
         scene, tip = self._session.mover.scene, self._hand.tip
         bodies = [(look.bodies[n], b) for n, b in scene.bodies.items() if n in look.bodies]
         goals = [compose(compose(pose, body.hand_in_body), tip) for pose, body in bodies]
         seen = seen_mm(look, [compose(look.hand, tip), *goals], scene)
-        size = shutil.get_terminal_size()
-        across = (columns() - 1 - INDENT - APART) // (2 * CHARACTERS)
-        rows = min(max(size.lines - OTHERS, LOW), HIGH)
-        return sights(seen, rows, min(max(across, NARROW), WIDE), facing=self.facing)
+        return sights(seen, rows, across, facing=self.facing)
 
     def fragments(self, told: str, *, dragging: bool) -> StyleAndTextTuples:
         """Return the whole view.
@@ -73,16 +87,17 @@ class Screen:
             Whether the mouse holds the hand.
         """
         look = self._session.mover.look
+        below = [*self._ways(look), *self._state(look, told), *self._warning(dragging=dragging)]
         lines = self._keys()
+        if len(lines) + len(below) + LOW + 2 > shutil.get_terminal_size().lines:
+            lines = self._few_keys()
+        self._fitted(look, len(lines) + len(below))
         first = len(lines) + 1
         self.areas = tuple(
             Area(sight, first, INDENT + k * (CHARACTERS * sight.columns + APART))
             for k, sight in enumerate(self._sights)
         )
-        lines += self._pictures(look)
-        lines += self._ways(look)
-        lines += self._state(look, told)
-        lines += self._warning(dragging=dragging)
+        lines += [*self._pictures(look), *below]
         return [part for line in lines for part in (*line, ("", "\n"))][:-1]
 
     def _keys(self) -> Lines:
@@ -95,6 +110,11 @@ class Screen:
         mouse = wrapped(f"{words['mouse']} {words['arrows']}", columns(), before=f"{heading}  ")
         lines += [[(QUIET, line)] for line in mouse]
         return lines
+
+    def _few_keys(self) -> Lines:
+        """Return the keys in short, for a terminal too small for all that they do."""
+        told = wrapped(str(self._words["few_keys"]), columns(), before=" ")
+        return [[(QUIET, line)] for line in told]
 
     def _heading(self, text: str) -> tuple[str, str]:
         wide = max(len(str(one)) for one in self._words["headings"].values())
@@ -124,6 +144,8 @@ class Screen:
         return clicked
 
     def _pictures(self, look: ArmLook) -> Lines:
+        if not self._sights:
+            return []
         scene, tip = self._session.mover.scene, self._hand.tip
         left, right = (drawn(sight, look, scene, tip) for sight in self._sights)
         wide = CHARACTERS * self._sights[0].columns

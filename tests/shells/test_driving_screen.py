@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -12,12 +13,11 @@ from sim.hands import KeyedHand
 from tests.session.lessons import lesson, opened
 
 
-@pytest.mark.parametrize(("columns", "lines"), [("80", "24"), ("120", "40")])
-def test_the_view_fits_the_terminal(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, columns: str, lines: str
-) -> None:
-    monkeypatch.setenv("COLUMNS", columns)
-    monkeypatch.setenv("LINES", lines)
+@pytest.fixture
+def screen(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Screen]:
+    """A view whose clutch is out, in a lesson that is being shown."""
+    monkeypatch.setenv("COLUMNS", "100")
+    monkeypatch.setenv("LINES", "40")
     session = opened(tmp_path)
     for _ in lesson(session):
         if session.watching is not None:
@@ -25,17 +25,43 @@ def test_the_view_fits_the_terminal(
     mover, equipment = session.mover, session.equipment
     mover.arrange(mover.scene, mover.setup)
     hand = KeyedHand(equipment.arm, equipment.planner, mover.scene, mover.setup)
-    screen = Screen(session, hand, page("terminal")["driving"], lambda key: None)
     hand.press(" ")
-    text = "".join(part[1] for part in screen.fragments("forward", dragging=False))
-    shown = text.split("\n")
-    assert len(shown) < int(lines)
-    assert max(len(line) for line in shown) < int(columns)
-    for told in ("w forward", "Esc finished", "to the block", "press 1 and show", "clutch out"):
-        assert told in text
-    # Where the mouse is looked for is where the pictures are.
-    for area in screen.areas:
-        picture = shown[area.line : area.line + area.sight.rows]
-        assert all(line[area.column] in ".+oBT_" for line in picture)
-        assert shown[area.line - 1].strip().startswith("from above")
+    yield Screen(session, hand, page("terminal")["driving"], lambda key: None)
     session.close()
+
+
+def drawn(screen: Screen) -> list[str]:
+    fragments = screen.fragments("forward", dragging=False)
+    return "".join(part[1] for part in fragments).split("\n")
+
+
+SIZES = [(100, 40), (80, 24), (60, 24), (60, 16), (40, 20), (120, 50)]
+
+
+def test_the_view_fits_the_terminal_however_it_is_resized(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for columns, lines in SIZES:
+        monkeypatch.setenv("COLUMNS", str(columns))
+        monkeypatch.setenv("LINES", str(lines))
+        shown = drawn(screen)
+        assert len(shown) < lines
+        assert max(len(line) for line in shown) < columns
+        text = " ".join(" ".join(shown).split())
+        for told in ("to the block", "to the target", "press 1 and show", "clutch out", "Esc fini"):
+            assert told in text
+        # Where the mouse is looked for is where the pictures are.
+        for area in screen.areas:
+            picture = shown[area.line : area.line + area.sight.rows]
+            assert all(line[area.column] in ".+oBT_" for line in picture)
+            assert shown[area.line - 1].strip().startswith("from above")
+
+
+def test_a_large_terminal_tells_what_each_key_does_and_a_small_one_keeps_its_pictures(
+    screen: Screen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "w forward" in " ".join(drawn(screen))
+    monkeypatch.setenv("COLUMNS", "60")
+    monkeypatch.setenv("LINES", "24")
+    assert "w forward" not in " ".join(drawn(screen)).split("to the block")[0]
+    assert len(screen.areas) == 2
