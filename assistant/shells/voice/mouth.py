@@ -77,8 +77,13 @@ class Mouth:
         BadInput
             If no sound came out.
         """
-        self.say(text)
-        if self._process is not None and self._process.wait() != 0:
+        self.hush()
+        done = subprocess.run(
+            self._command(text, None), stdin=subprocess.DEVNULL, capture_output=True, check=False
+        )
+        # Without a loudspeaker espeak-ng says so and ends as if all were well.
+        told = done.stderr.decode(errors="replace").splitlines()
+        if done.returncode != 0 or any(line.startswith("error") for line in told):
             right = "a sound device, or --wav FILE"
             raise BadInput.one("voice", f"{self.engine} could not speak aloud", right)
 
