@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 
 from assistant.language.answers import OPEN
@@ -14,9 +15,12 @@ def suggestions(listening: Listening, language: str = "english") -> tuple[str, .
     told = phrasebook(language).suggestions
     asked = told.get(listening.asked or "", ())
     staged = () if listening.asked in OPEN else told.get(listening.stage, ())
-    lines = (*asked, *staged, *told["always"])
-    filled = (one for line in lines for one in _filled(line, listening))
-    return tuple(dict.fromkeys(filled))
+    return filled((*asked, *staged, *told["always"]), listening)
+
+
+def filled(lines: Iterable[str], listening: Listening) -> tuple[str, ...]:
+    """Return lines with the task's own names where they have a slot, each once."""
+    return tuple(dict.fromkeys(one for line in lines for one in _filled(line, listening)))
 
 
 @cache

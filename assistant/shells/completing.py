@@ -8,7 +8,8 @@ from pathlib import Path
 from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
 from prompt_toolkit.document import Document
 
-from assistant.language.completion import suggestions
+from assistant.language.completion import filled, suggestions
+from assistant.language.hints import page
 from assistant.session.loop import Session
 
 SHOWN = (".csv", ".yaml", ".yml")
@@ -26,7 +27,7 @@ class Sayable(Completer):
         """Yield sentences that go on from what is typed, names, then sentences that hold it."""
         typed = document.text_before_cursor.lstrip()
         watching = self._session.watching is not None
-        known = suggestions(self._session.listening, self._session.language)
+        known = self._known()
         known = (*WAYS_TO_SHOW, *known) if watching else known
         lowered = typed.lower()
         first = [text for text in known if text.lower().startswith(lowered)]
@@ -37,6 +38,18 @@ class Sayable(Completer):
         yield from (Completion(text, start_position=-len(typed)) for text in inside)
         if watching and typed:
             yield from self._files.get_completions(document, event)
+
+    def _known(self) -> tuple[str, ...]:
+        """Return what can be said now; of stopping and going on only what the arm can do."""
+        session = self._session
+        offers = page("terminal", session.language)["offers"]
+        arm = str(session.dialogue_view.get("motion"))
+        there = arm if arm in offers else session.listening.stage
+        known = suggestions(session.listening, session.language)
+        more = filled(offers.get(there, ()), session.listening)
+        ordered = (*more, *known) if arm in offers else (*known, *more)
+        idle = () if session.moving or arm in offers else offers["moving_only"]
+        return tuple(dict.fromkeys(text for text in ordered if text not in idle))
 
     def _names(self) -> tuple[str, ...]:
         listening = self._session.listening

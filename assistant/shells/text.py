@@ -6,6 +6,7 @@ The arm moves beside the typing; a half-typed sentence stays as it is while the 
 from __future__ import annotations
 
 import asyncio
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
@@ -16,6 +17,8 @@ from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
 from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.patch_stdout import StdoutProxy
+from prompt_toolkit.search import stop_search
+from prompt_toolkit.shortcuts import CompleteStyle
 
 from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
@@ -39,6 +42,8 @@ STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm
 NAME, INDENT = "robot: ", "  "
 NAME_STYLE, HINT_STYLE = "36", "90"
 REFRESH_S = 0.5
+FORGOTTEN = "awaitingshow"
+"""Where the dialogue stands when what was shown is to be shown anew."""
 BUNDLED_S = 0.02
 """What is said within so long is drawn at once."""
 
@@ -160,7 +165,9 @@ class TextShell:
             history=_history(self._history),
             completer=Sayable(session),
             complete_while_typing=False,
-            auto_suggest=AutoSuggestFromHistory(),
+            complete_style=CompleteStyle.MULTI_COLUMN,
+            # Without colors what is suggested would look like what is typed.
+            auto_suggest=None if os.environ.get("NO_COLOR") else AutoSuggestFromHistory(),
             enable_history_search=True,
             bottom_toolbar=lambda: bar(session, self._left_s(session)),
             refresh_interval=REFRESH_S,
@@ -173,8 +180,11 @@ class TextShell:
         @keys.add("c-c", eager=True)
         @keys.add("<sigint>")
         def stop(event: KeyPressEvent) -> None:
-            if not session.moving and event.current_buffer.text:
-                event.current_buffer.reset()
+            searching = event.app.layout.is_searching
+            if searching:
+                stop_search()
+            if not session.moving and (searching or event.current_buffer.text):
+                event.app.current_buffer.reset()
                 return
             self._interrupt()
             self._halt(session)
@@ -220,7 +230,7 @@ class TextShell:
         watching = session.watching
         self._write(words["driving"]["begin"])
         Driving(session, hand, ticker.lock, every_s).run()
-        if watching is not None:
+        if watching is not None and session.dialogue_view["state"] != FORGOTTEN:
             self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
 
     def _write(self, text: str) -> None:
