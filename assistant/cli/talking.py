@@ -7,6 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from assistant.errors import BadInput
+
 if TYPE_CHECKING:
     from assistant.model.robot_acts import RobotAct
     from assistant.session.loop import Out
@@ -72,19 +74,27 @@ def shown_and_spoken(shown: Out, talking: Talking | None) -> Out:
 def speaking(show: Callable[[str], None]) -> Listener:
     """Return what shows every line of a play and speaks the robot's.
 
+    Without a loudspeaker that is told once, and lines are shown only.
+
     Raises
     ------
     BadInput
-        When the first line is spoken, if there is no engine or no sound device.
+        If there is no engine.
     """
     from assistant.shells.voice.mouth import Mouth
     from assistant.shells.voice.speaking import speakable
 
     mouth = Mouth()
+    silent: list[BadInput] = []
 
     def listen(who: str, words: str) -> None:
         show(f"{who}: {words}")
-        if who == "robot":
+        if who != "robot" or silent:
+            return
+        try:
             mouth.speak(speakable(words))
+        except BadInput as error:
+            silent.append(error)
+            show(f"  ({error}; lines are shown only)")
 
     return listen
