@@ -18,7 +18,7 @@ from assistant.dialogue.naming import (
 )
 from assistant.dialogue.sketch import Sketch, at, counted, names, put, with_parts
 from assistant.dialogue.state import Introducing, Knowledge
-from assistant.dialogue.things import things_in
+from assistant.dialogue.things import placed, things_in
 from assistant.dialogue.turn import line
 from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.bodies import read_body
@@ -46,6 +46,7 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
             return _objects_of(known, state.index, value)
         case "objects":
             things = things_in(value, known.scene, known.language)
+            things = placed(things, (known.name, known.goal or ""), known.scene, known.language)
             return Answered(all_understood(replace(known, objects=things)))
         case "subtask_count":
             return _count(known, state, value)

@@ -33,7 +33,6 @@ from assistant.dialogue.state import (
     Running,
     Thinking,
 )
-from assistant.dialogue.things import role
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Action
@@ -167,7 +166,9 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
         case "actions":
             return _answered(dialogue, state, name_at(known, state.index))
         case "body":
-            flat = role(state.thing, known.scene, known.language) == "target"
+            flat = any(
+                one.name == state.thing and one.role == "target" for one in known.objects or ()
+            )
             told = line("told", "assumed_flat" if flat else "assumed_body", thing=state.thing)
             size_mm = (*ASSUMED_MM[:2], 0.0) if flat else ASSUMED_MM
             known = with_body(known, state.thing, "box", size_mm)

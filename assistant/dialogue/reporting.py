@@ -69,7 +69,9 @@ def refused(dialogue: Dialogue, refusal: Refusal) -> Turn:
     if dialogue.arm in ("moving", "paused", "stopped") and not _at_rest_state(dialogue):
         return say(replace(kept, arm="stopped"), told)
     if isinstance(dialogue.state, Running | Ready | Ran):
-        return tell(replace(kept, state=Ready(), arm="rest"), told, *_blamed(dialogue))
+        new = dialogue.refusal != refusal
+        blamed = _blamed(dialogue) if new else ()
+        return tell(replace(kept, state=Ready(), arm="rest"), told, *blamed)
     return tell(kept, told)
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
+from dataclasses import replace
 from functools import cache
 
 from assistant.dialogue.naming import Value, alike, tidy_name
@@ -120,6 +122,25 @@ def role(name: str, scene: Scene, language: str = "english") -> Role:
     if body is not None and body.mass_kg == 0:
         return "target"
     return "target" if body is None and role_of(name, language) == "target" else "object"
+
+
+def placed(
+    things: tuple[TaskObject, ...], told: Sequence[str], scene: Scene, language: str = "english"
+) -> tuple[TaskObject, ...]:
+    """Return things, new ones that something is put on as targets: "the cup is on the saucer"."""
+    on, articles = _any("rests_on", language), _any("articles", language)
+    out = []
+    for thing in things:
+        said = rf"\b(?:{on})\s+(?:(?:{articles})\s+)*{re.escape(thing.name)}\b"
+        under = any(re.search(said, text, re.IGNORECASE) for text in told)
+        new = thing.name not in scene.bodies
+        out.append(replace(thing, role="target") if under and new else thing)
+    # Where all are put on each other, none is only a place.
+    return things if all(one.role == "target" for one in out) else tuple(out)
+
+
+def _any(part: str, language: str) -> str:
+    return "|".join(map(re.escape, sorted(hints(part, language), key=len, reverse=True)))
 
 
 def _things(text: str, language: str) -> list[str]:

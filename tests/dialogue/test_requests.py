@@ -255,6 +255,10 @@ def test_a_refusal_after_a_correction_names_it() -> None:
     teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
     assert teacher.topics[:2] == ["refuse.collision", "told.corrected_before"]
     assert "way lower" in phrase(teacher.lines[1])
+    # The same again has another cause.
+    teacher.hear(acts.Start())
+    teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+    assert "told.corrected_before" not in teacher.topics
 
 
 def test_who_points_is_told_what_the_robot_cannot_see() -> None:

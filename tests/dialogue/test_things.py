@@ -6,8 +6,10 @@ import pytest
 
 from assistant.dialogue.things import things_in
 from assistant.language.actions import read_action
+from assistant.model import teacher_acts as acts
 from assistant.model.scene import Body, Scene
 from assistant.model.task import TaskObject
+from tests.dialogue.teaching import Lessons
 
 STACK = Scene(bodies={name: Body(name) for name in ("red block", "green block", "blue block")})
 
@@ -43,3 +45,26 @@ def test_where_a_step_goes_is_the_thing_it_says_to_go_to() -> None:
     down = read_action("move the red block down", things).action
     assert down is not None
     assert down.object == "blue block"
+
+
+def test_a_new_thing_that_something_is_put_on_is_a_place() -> None:
+    def roles(goal: str, things: str) -> dict[str, str]:
+        teacher = Lessons().open().tell("tidy").tell(goal).tell(things)
+        return {one.name: one.role for one in teacher.dialogue.known.objects or ()}
+
+    assert roles("the cup stands on the saucer", "cup and saucer") == {
+        "cup": "object",
+        "saucer": "target",
+    }
+    # What the robot knows keeps the role the scene gives it.
+    assert roles("the cup stands on the block", "cup and block")["block"] == "object"
+    assert roles("the saucer is clean", "cup and saucer")["saucer"] == "object"
+
+
+def test_a_place_of_no_known_size_is_flat() -> None:
+    teacher = Lessons().open().tell("tidy").tell("the cup stands on the saucer")
+    teacher.tell("the cup and the saucer").tell("8 by 8 by 7 cm").tell("I do not know")
+    while teacher.asked == "pose":
+        teacher.hear(acts.Deny(), text="I will show you")
+    teacher.hear(acts.Deny(), text="I do not know")
+    assert teacher.dialogue.known.scene.bodies["saucer"].size_mm[2] == 0.0

@@ -25,6 +25,7 @@ TASK = read_task(shipped("tasks") / "pick_and_place.yaml")
 
 EVENTS: list[events.Event] = [
     events.Begun(SCENE, SETUP, TASK, ("stacking",)),
+    events.Begun(SCENE, SETUP, TASK, ("version one",), "version one"),
     events.Begun(SCENE, SETUP),
     events.Shown(None, "too_short"),
     events.Learned(None, "never_closed", {"count": 3, "names": ["a", "b"]}),

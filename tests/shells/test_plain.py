@@ -28,6 +28,15 @@ def test_lines_in_lines_out(tmp_path: Path) -> None:
     assert told[-1] == "robot: Goodbye."
 
 
+def test_input_that_ends_with_unsaved_work_is_told_to_be_kept(tmp_path: Path) -> None:
+    told = talk(tmp_path, "pick and place\n")
+    assert "Shall I save it" in told[-2]
+    assert "all you told me and showed me is kept" in told[-1]
+    past = past_sessions(tmp_path / "sessions")
+    assert [one.lines for one in past] == [2]
+    assert talk(tmp_path)[-1] == "robot: Goodbye."
+
+
 def test_beside_a_ticker_it_is_the_same(tmp_path: Path) -> None:
     lines = ("pick and place\n", "quit\n", "no\n")
     assert talk(tmp_path / "a", *lines) == talk(tmp_path / "b", *lines, live=True)
