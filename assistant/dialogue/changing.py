@@ -23,7 +23,7 @@ from assistant.dialogue.correcting import (
 from assistant.dialogue.directions import depends_on_facing, direction_of, squeezed
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
-from assistant.dialogue.finding import find_whole, name_at, unclear
+from assistant.dialogue.finding import find_whole, name_at, spoken_of, unclear
 from assistant.dialogue.state import (
     Dialogue,
     Introducing,
@@ -34,11 +34,10 @@ from assistant.dialogue.state import (
     Running,
 )
 from assistant.dialogue.turn import Turn, Words, changed, line, say, then, with_other
-from assistant.language.actions import read_action
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
 from assistant.model.robot_acts import About, RobotAct
-from assistant.model.task import Action, primitives
+from assistant.model.task import primitives
 
 SHOWN_M = 0.010
 """The small announced move that shows where the robot takes left to be."""
@@ -107,7 +106,7 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
         index = find_whole(dialogue.known, act.where.subtask)
         if index is None:
             # "when you place it" is the step that opens the hand, whatever it is called.
-            meant = _spoken_of(dialogue, act.where.subtask)
+            meant = spoken_of(dialogue, act.where.subtask)
             return Place(meant, act.where.when) if meant else None
         return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
     run = dialogue.run
@@ -117,22 +116,7 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
         if isinstance(act, acts.AdjustSpeed):
             return Place()
         return Place(leaves[run.primitive_at].name)
-    return Place(_spoken_of(dialogue, words))
-
-
-def _spoken_of(dialogue: Dialogue, words: str) -> str:
-    """Return the one primitive whose action is spoken of: "grasp it a bit lower"; else none."""
-    action = read_action(words, dialogue.known.objects or (), dialogue.language).action
-    if action is None or (action.verb != "hand" and action.way != "approach"):
-        return ""
-    leaves = primitives(dialogue.known.task.tree)
-    alike = [one.name for one in leaves if (one.action.verb, one.action.way) == action_key(action)]
-    return alike[0] if len(alike) == 1 else ""
-
-
-def action_key(action: Action) -> tuple[str, str]:
-    """Return what two actions on different things have in common."""
-    return action.verb, action.way
+    return Place(spoken_of(dialogue, words))
 
 
 def _leaf_under(dialogue: Dialogue, name: str) -> str:

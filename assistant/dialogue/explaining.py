@@ -7,7 +7,7 @@ from typing import Any
 
 from assistant.dialogue.agreeing import disagreement
 from assistant.dialogue.asking import index_of, tell
-from assistant.dialogue.finding import find
+from assistant.dialogue.finding import find, spoken_of
 from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import Dialogue, Ran, Ready, Running
 from assistant.dialogue.turn import Turn, line, node_or_blank
@@ -27,6 +27,8 @@ def explain(dialogue: Dialogue, act: Explain) -> Turn:
     """Answer a why or how question."""
     topic = matter(act.text, "explain", dialogue.language)
     named = _named(dialogue, act.text)
+    if not named and topic in ("sure", "cut", "assignment"):
+        named = spoken_of(dialogue, act.text)
     told = _of_the_moment(dialogue, topic, named, act.text)
     lesson = dialogue.known.lesson
     if told is None and lesson is not None:
@@ -148,10 +150,10 @@ def _assignment(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> Ro
     return line("explain", "assignment", about=_about(dialogue, named), **slots)
 
 
-def _event(lesson: Lesson, name: str | None) -> dict[str, str]:
-    """Return what the hand did in a step, as an action in plain values; empty if nothing."""
+def _event(lesson: Lesson, name: str | None) -> dict[str, str] | None:
+    """Return what the hand did in a step, as an action in plain values; None if nothing."""
     did = [one for one in lesson.stations if one.primitive == name and one.kind in ACTS]
-    return {"hand": ACTS[did[0].kind], "object": did[0].frame} if did else {}
+    return {"hand": ACTS[did[0].kind], "object": did[0].frame} if did else None
 
 
 def _episode(at: int, one: Episode) -> dict[str, Any]:

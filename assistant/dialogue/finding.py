@@ -17,9 +17,10 @@ from assistant.dialogue.sketch import (
 )
 from assistant.dialogue.state import Dialogue, Knowledge, Pending
 from assistant.dialogue.turn import Turn, changed, line
+from assistant.language.actions import read_action
 from assistant.language.hints import hints
 from assistant.model.robot_acts import RobotAct
-from assistant.model.task import Index
+from assistant.model.task import Action, Index, primitives
 from assistant.model.teacher_acts import TeacherAct, Where
 
 
@@ -126,3 +127,18 @@ def _as_cut(known: Knowledge, now: Mapping[str, str]) -> Knowledge:
 def name_at(known: Knowledge, index: Index) -> str:
     """Return the name of the node at a position."""
     return at(known.root, index).name
+
+
+def spoken_of(dialogue: Dialogue, words: str) -> str:
+    """Return the one primitive whose action is spoken of: "grasp it a bit lower"; else none."""
+    action = read_action(words, dialogue.known.objects or (), dialogue.language).action
+    if action is None or (action.verb != "hand" and action.way != "approach"):
+        return ""
+    leaves = primitives(dialogue.known.task.tree)
+    alike = [one.name for one in leaves if (one.action.verb, one.action.way) == action_key(action)]
+    return alike[0] if len(alike) == 1 else ""
+
+
+def action_key(action: Action) -> tuple[str, str]:
+    """Return what two actions on different things have in common."""
+    return action.verb, action.way

@@ -92,3 +92,14 @@ def test_who_asks_why_nothing_was_refused_is_told_so() -> None:
     assert teacher.topics[0] == "explain.no_refusal"
     teacher.hear(acts.Explain("why did you take that detour"))
     assert teacher.topics[0] == "explain.no_detour"
+
+
+def test_a_step_may_be_asked_about_by_what_is_done_in_it() -> None:
+    teacher = Lessons().learned().hear(acts.Explain("how certain are you about the grasp"))
+    assert teacher.lines[0].topic == "sure_of"
+    assert teacher.lines[0].slots["name"] == "grasp object"
+
+
+def test_a_step_in_which_the_hand_does_nothing_is_explained_without_it() -> None:
+    teacher = Lessons().learned().hear(acts.Explain("why is that part move up object"))
+    assert "It is where" not in phrase(teacher.lines[0])
