@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from assistant.dialogue.bodies import with_body
+from assistant.dialogue.bodies import WIDEST_MM, too_wide, with_body
 from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
 from assistant.dialogue.naming import (
     Value,
@@ -197,7 +197,14 @@ def _free(known: Knowledge, text: str, mentioned: tuple[str, ...]) -> Action:
 
 
 def _body(known: Knowledge, thing: str, value: Value) -> Answered:
-    told = read_body(text_of(value), known.language)
+    told = read_body(text_of(value), known.language, thing)
     if told.size_mm is None:
         return Answered(known, (line("error", "size", thing=thing),))
+    things = known.objects or ()
+    if too_wide(told.size_mm) and any((one.name, one.role) == (thing, "object") for one in things):
+        if not any(one.role == "object" for one in things if one.name != thing):
+            return Answered(known, (line("error", "too_wide", thing=thing, most_mm=WIDEST_MM),))
+        # What cannot be held is where something else goes.
+        roles = (replace(one, role="target") if one.name == thing else one for one in things)
+        known = replace(known, objects=tuple(roles))
     return Answered(with_body(known, thing, told.shape or "box", told.size_mm))

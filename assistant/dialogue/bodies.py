@@ -19,6 +19,8 @@ HELD_MM = 60.0
 CLEAR_MM, EDGE_MM = 54.0, 10.0
 """The palm clears a table from this height on; fingers stay this far below a body's top."""
 MASS_KG = 0.2
+WIDEST_MM = 75.0
+"""The fingers open 80 mm; what is wider than this they cannot be put around."""
 
 
 def with_body(known: Knowledge, thing: str, shape: str, size_mm: tuple[float, ...]) -> Knowledge:
@@ -53,6 +55,11 @@ def fitted(known: Knowledge) -> Knowledge:
     if bodies == known.scene.bodies:
         return known
     return replace(known, scene=replace(known.scene, bodies=bodies))
+
+
+def too_wide(size_mm: tuple[float, ...]) -> bool:
+    """Whether the fingers cannot be put around a body of this size, however it is turned."""
+    return min(size_mm[:2]) > WIDEST_MM
 
 
 def _height_mm(tall_mm: float) -> float:

@@ -96,7 +96,7 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
     values = tuple(value for act in meant for value in _values(act))
     match state.asked:
         case "body":
-            return read_body(text, dialogue.language).size_mm is not None
+            return read_body(text, dialogue.language, state.thing).size_mm is not None
         case "objects" if not state.index:
             scene = dialogue.known.scene
             things = things_in(values, scene, dialogue.language)

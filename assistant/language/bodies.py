@@ -21,11 +21,18 @@ class ToldBody:
     size_mm: Triple | None
 
 
-def read_body(text: str, language: str = "english") -> ToldBody:
+def read_body(text: str, language: str = "english", name: str = "") -> ToldBody:
     """Return the shape and size that some words tell; centimetres if no unit is said.
 
     A box needs three lengths (two for a flat mark, one for a cube), a cylinder or cup the
-    diameter and the height, a ball its diameter.
+    diameter and the height, a ball its diameter. "8 wide and 7 high" is as deep as wide.
+
+    Parameters
+    ----------
+    text : str
+    language : str
+    name : str
+        What the body is called; a cup is a cup though only its size is told.
     """
     shapes: dict[str, Shape] = {
         "box": "box",
@@ -37,8 +44,30 @@ def read_body(text: str, language: str = "english") -> ToldBody:
     if shape is None and mentions(text, hints("places", language)):
         # Lengths that tell where a thing is are no size.
         return ToldBody(None, None)
+    shape = shape or shapes.get(matter(name, "shapes", language))
     lengths = read_lengths_mm(text, language)
-    return ToldBody(shape, _size(shape or "box", lengths))
+    return ToldBody(shape, _size(shape or "box", _upright_last(text, lengths, language)))
+
+
+def _upright_last(text: str, lengths: tuple[float, ...], language: str) -> tuple[float, ...]:
+    """Return lengths with the height at the end, and two for the ground, if a height is told."""
+    words = "|".join(map(re.escape, hints("upright", language)))
+    found = re.search(rf"\b(?:{words})\b", text.lower())
+    if found is None or len(lengths) < 2:
+        return lengths
+    # "7 high" and "a height of 7": a number before the word is its own.
+    before = len(read_lengths_mm(text[: found.start()], language))
+    close = re.search(
+        rf"\d\s*[^\W\d_]*\s*$|\b(?:{_numbers(language)})\s*[^\W\d_]*\s*$",
+        text[: found.start()].lower(),
+    )
+    at = min(before - 1 if close else before, len(lengths) - 1)
+    ground = [one for number, one in enumerate(lengths) if number != max(at, 0)]
+    return (*(ground * 2 if len(ground) == 1 else ground), lengths[max(at, 0)])
+
+
+def _numbers(language: str) -> str:
+    return "|".join(map(re.escape, hints("numbers", language)))
 
 
 def read_lengths_mm(text: str, language: str = "english") -> tuple[float, ...]:
@@ -75,7 +104,7 @@ def _size(shape: Shape, lengths: tuple[float, ...]) -> Triple | None:
     if shape == "sphere":
         return (lengths[0],) * 3
     if shape in ("cylinder", "cup"):
-        return (lengths[0], lengths[0], lengths[1]) if len(lengths) > 1 else None
+        return (lengths[0], lengths[0], lengths[-1]) if len(lengths) > 1 else None
     if len(lengths) == 1:
         return (lengths[0],) * 3
     return (lengths[0], lengths[1], lengths[2] if len(lengths) > 2 else 0.0)

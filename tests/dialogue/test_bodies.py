@@ -51,3 +51,20 @@ def test_the_session_is_shown_what_was_told() -> None:
     assert "lid" in arranged.scene.bodies
     assert isinstance(arranged.scene, Scene)
     assert isinstance(arranged.setup, Setup)
+
+
+def test_what_the_hand_cannot_go_around_is_not_carried() -> None:
+    def told(size: str, things: str = "the cup and the saucer") -> Lessons:
+        teacher = Lessons().open().tell("tidy").tell("the cup stands on the saucer")
+        return teacher.tell(things).tell(size)
+
+    wide = told("8 cm wide and 7 high")
+    assert wide.topics[0] == "error.too_wide"
+    assert wide.asked == "body"
+    assert told("7 cm wide and 7 high").asked == "pose"
+    # With something else to carry, it is where that goes.
+    jar = told("a jar, 9 cm wide and 7 high", "the mug and the pan")
+    assert {one.name: one.role for one in jar.dialogue.known.objects or ()} == {
+        "mug": "target",
+        "pan": "object",
+    }

@@ -19,6 +19,11 @@ from assistant.language.bodies import read_body
         ("a mug, 8 centimeters wide and 95 mm high", "cup", (80, 80, 95)),
         ("it is two inches wide", None, (50.8, 50.8, 50.8)),
         ("6 by 4 by 10", None, (60, 40, 100)),
+        ("8 centimetres wide and 7 high", None, (80, 80, 70)),
+        ("7 high and 8 wide", None, (80, 80, 70)),
+        ("a box with a height of 7 cm, 5 long and 4 deep", "box", (50, 40, 70)),
+        ("round, 12 cm wide and 1 cm thick", "cylinder", (120, 120, 10)),
+        ("seven tall, four by five", None, (40, 50, 70)),
     ],
 )
 def test_shape_and_size(text: str, shape: str | None, size_mm: tuple[float, ...]) -> None:
@@ -39,3 +44,9 @@ def test_shape_and_size(text: str, shape: str | None, size_mm: tuple[float, ...]
 )
 def test_without_a_size_there_is_none(text: str) -> None:
     assert read_body(text).size_mm is None
+
+
+def test_a_body_has_the_shape_of_its_name() -> None:
+    assert read_body("8 cm wide and 9 high", name="cup").shape == "cup"
+    assert read_body("a box, 8 by 9 by 3", name="cup").shape == "box"
+    assert read_body("8 cm breit und 9 hoch", "german", "Tasse").size_mm == (80.0, 80.0, 90.0)
