@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from assistant.dialogue.asking import question, tell
+from assistant.dialogue.asking import places, question, tell
 from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.explaining import explain
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import tidy_name
 from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import Dialogue, Watching
-from assistant.dialogue.turn import Turn, Words
+from assistant.dialogue.things import thing_names
+from assistant.dialogue.turn import Turn, Words, line
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
+from assistant.model.robot_acts import RobotAct
 
 
 def wondered(dialogue: Dialogue, words: Words) -> Turn | None:
@@ -24,10 +26,29 @@ def wondered(dialogue: Dialogue, words: Words) -> Turn | None:
         return tell(dialogue, help_line(dialogue))
     if isinstance(dialogue.state, Watching):
         return None
+    told = _guided(dialogue, plain)
+    if told is not None:
+        return tell(replace(without_guess(dialogue), misses=0), told)
     if mentions(words.text, hints("questions", dialogue.language)):
         calm = replace(without_guess(dialogue), misses=0)
         return explain(calm, acts.Explain(words.text))
     return _why_refused(dialogue, plain)
+
+
+def _guided(dialogue: Dialogue, plain: str) -> RobotAct | None:
+    """Tell who asks how all this goes, what is there, and where to stand."""
+    known = dialogue.known
+    things = thing_names(known.scene, known.setup)
+    topic = matter(plain, "guide", dialogue.language)
+    if topic == "way":
+        return line("told", "guide", things=things)
+    if topic == "stand":
+        return line("told", "stand")
+    if topic != "table":
+        return None
+    if things:
+        return line("told", "setup", setup=known.setup.name, places=places(known))
+    return line("told", "empty_table")
 
 
 def _why_refused(dialogue: Dialogue, plain: str) -> Turn | None:

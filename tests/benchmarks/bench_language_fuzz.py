@@ -121,9 +121,11 @@ def heard(where: str, dialogue: Dialogue, text: str, found: Found) -> None:
     if begins_motion(after, effects) and (unknown or meaning.confidence < SURE):
         kind = "moved on unknown" if unknown else "moved though unsure"
         found[kind].append(f"{where}: {text!r} {meaning.confidence:.2f} {meaning.acts}")
+    if not dialogue.in_motion:
+        return
     told = f"{text} stop"
     stopping = step(dialogue, ev.Heard(told, meant(dialogue, told, 1.0, "english")))[1]
-    if dialogue.in_motion and not any(isinstance(one, fx.Halt) for one in stopping):
+    if not any(isinstance(one, fx.Halt) for one in stopping):
         found["stop missed by the dialogue"].append(f"{where}: {text!r}")
 
 

@@ -5,8 +5,11 @@ from __future__ import annotations
 import pytest
 
 from assistant.dialogue import effects as fx
+from assistant.dialogue import events as ev
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.scene import Scene
+from assistant.model.setup import Setup
 from tests.dialogue.teaching import STEPS, Lessons
 
 
@@ -103,3 +106,26 @@ def test_a_step_may_be_asked_about_by_what_is_done_in_it() -> None:
 def test_a_step_in_which_the_hand_does_nothing_is_explained_without_it() -> None:
     teacher = Lessons().learned().hear(acts.Explain("why is that part move up object"))
     assert "It is where" not in phrase(teacher.lines[0])
+
+
+@pytest.mark.parametrize(
+    ("text", "topic"),
+    [
+        ("how does this work?", "told.guide"),
+        ("I'm new here", "told.guide"),
+        ("where should I stand?", "told.stand"),
+        ("What is on the table?", "told.setup"),
+    ],
+)
+def test_who_is_here_for_the_first_time_is_guided(text: str, topic: str) -> None:
+    for teacher in (Lessons().open(), Lessons().confirmed(), Lessons().ready()):
+        asked = teacher.asked
+        teacher.hear(acts.Unknown(), text=text, sure=0.2)
+        assert teacher.topics[0] == topic
+        assert teacher.asked == asked
+        assert not teacher.did(fx.Record)
+
+
+def test_an_empty_table_is_told() -> None:
+    teacher = Lessons().happen(ev.Begun(Scene(), Setup()))
+    assert teacher.hear(acts.Unknown(), text="what's on the table").topics[0] == "told.empty_table"
