@@ -24,16 +24,21 @@ FEATURES = (
     "heard",
     "alone",
     "near",
+    "silent",
+    "vague",
+    "veer",
 )
 """What a cut's confidence is made of.
 
 ``right``: log odds that the same primitive ends here, to half a second; ``timely``: of the
 half second alone; ``gripper``: it acted here; ``heard``: proposed by a cue only; ``alone``: the
-motion without cues is cut here too; ``near``: log odds that anything is cut near.
+motion without cues is cut here too; ``near``: log odds that anything is cut near; ``silent``:
+neither a cue nor the gripper tells it; ``vague``: how badly the instant is known where that is so,
+in log tenths of a second; ``veer``: how much the way turns here.
 """
 
-WEIGHTS = np.array([0.12, 0.32, 0.59, 1.42, -0.05, 0.28])
-BIAS = -0.78
+WEIGHTS = np.array([0.17, 0.15, 1.11, 0.64, 0.85, 0.15, -1.28, -0.26, 0.57])
+BIAS = 0.18
 """Source: `python -m tests.benchmarks.bench_confidence --fit`."""
 
 WHOLE_FEATURES = ("product", "whole", "timely", "silent", "orphans", "moved", "unlike")
@@ -46,8 +51,8 @@ cut; ``moved``: cuts that the motion without cues does not have; ``unlike``: pri
 and steps nobody introduced.
 """
 
-WHOLE_WEIGHTS = np.array([0.61, 0.14, 0.13, -0.23, -0.31, -0.05, -2.9])
-WHOLE_BIAS = 0.27
+WHOLE_WEIGHTS = np.array([1.05, 0.06, 0.06, 0.08, 0.01, 0.03, -3.32])
+WHOLE_BIAS = 0.02
 """Source: as above."""
 
 _NEAR_S = 0.25
@@ -73,10 +78,11 @@ def cut_confidence(understood: Understood, node: int, cues_s: Array) -> float:
 
 
 def features(understood: Understood, node: int, cues_s: Array) -> Array:
-    """Return the values of `FEATURES` for a node, shape (6,)."""
+    """Return the values of `FEATURES` for a node, shape (9,)."""
     spot = understood.candidates[node - 1]
     at_s = float(understood.at_s[node])
     same, timely = _same_chance(understood, node), _timely(understood, node, cues_s)
+    silent = float(not (spot.gripper or _spoken(at_s, cues_s)))
     return np.array(
         [
             _log_odds(same * timely),
@@ -85,6 +91,9 @@ def features(understood: Understood, node: int, cues_s: Array) -> Array:
             float(spot.heard),
             float(_agrees(understood, at_s)),
             _log_odds(chance_near(understood, at_s, _OFF_S)),
+            silent,
+            silent * math.log(math.hypot(spot.blur_s, 0.03) / 0.1),
+            spot.veer,
         ]
     )
 

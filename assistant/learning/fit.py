@@ -197,8 +197,9 @@ def _events(
         if kind in told:
             score -= 0.5 * given.event * between.at_end[kind]
         elif kind == ends and leaf.action.way not in ("depart", "up"):
-            # Who tells what the hand does at one thing tells it at the others, too.
-            score += (-0.5 if told else 0.5) * given.event * between.at_end[kind]
+            # Letting go may be told or be part of getting there; who tells it tells grasping, too.
+            untold = kind == "close" and "open" in told
+            score += (-0.5 if untold else 0.5) * given.event * between.at_end[kind]
     return score
 
 

@@ -19,14 +19,16 @@ Between asking about every lesson that went wrong and about none that went right
 printed by `tests.benchmarks.bench_confidence`.
 """
 
-LEFT_OUT = 0.1
+LEFT_OUT = 0.2
 """If steps were more likely than this never shown, the likeliest is asked about, though seen.
 
 What was introduced is seldom left out; but who forgets a step has to be told.
 """
 
-UNHEARD = 0.1
-"""If so many steps that nobody introduced are to be expected, the likeliest is asked about."""
+UNHEARD = 0.15
+"""A step that nobody introduced, though all of it was taken for others, is asked about from this
+chance on.
+"""
 
 DOUBTED = "doubtfully_shown"
 """Why a step is asked about that a part is assigned to: it may never have been shown."""
@@ -56,8 +58,8 @@ def questions(
     left_out : mapping of str to float
         Probabilities that primitives were never shown, though episodes are assigned to them.
     unheard : (float, float, float)
-        From when to when, in s, a step nobody introduced was likeliest, and how many such steps
-        are to be expected, though every episode is assigned to a primitive.
+        From when to when, in s, a step nobody introduced was likeliest, and how likely it was,
+        though every episode is assigned to a primitive.
     """
     leaves = primitives(task.tree)
     seen = {episode.primitive for episode in episodes}

@@ -79,15 +79,16 @@ class Understood:
         }
 
     def unheard(self) -> tuple[float, float, float]:
-        """Return from when to when a step nobody introduced was likeliest, and whether any was.
+        """Return from when to when a step nobody introduced was likeliest, and how likely it was.
 
-        Seconds, and how many such steps are to be expected; nothing where nothing was decoded.
+        In seconds; nothing where nothing was decoded. A hand that leaves at the end, when all is
+        done, is no step that somebody should have told.
         """
         if self.lattice is None:
             return 0.0, 0.0, 0.0
-        chances = unnamed_chances(self.lattice)
+        chances = unnamed_chances(self.lattice)[:, :-1]
         first, last = np.unravel_index(int(np.argmax(chances)), chances.shape)
-        return float(self.at_s[first]), float(self.at_s[last]), float(np.sum(chances))
+        return float(self.at_s[first]), float(self.at_s[last]), float(chances[first, last])
 
 
 def read(
