@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 
@@ -16,8 +18,11 @@ from assistant.model.teacher_acts import (
     Undo,
 )
 from assistant.shells.voice.deciding import is_unknown
-from assistant.shells.voice.hearing import Hearing, expected, hot_words
+from assistant.shells.voice.hearing import SENTENCES, Hearing, expected, hot_words
+from assistant.shells.voice.recognized import Recognized
+from assistant.shells.voice.sound import Samples
 from tests.shells.voice.reading import (
+    A_SECOND,
     NAMING,
     PRACTICE,
     Reads,
@@ -130,3 +135,25 @@ def test_counts_where_a_number_is_asked_for() -> None:
     assert {"none", "two"} <= set(expected(asked, "english"))
     one = heard(Reads(("dune", 1.0)), Reads(("two", 0.4), ("tune", 0.3)), asked)
     assert acted_on(one) == (Inform(2),)
+
+
+@pytest.mark.parametrize(("room", "loud"), [(1e-4, False), (0.05, True)])
+def test_in_a_loud_room_recognizers_take_all_care(room: float, loud: bool) -> None:
+    asked: list[bool] = []
+
+    class Notes(Reads):
+        def recognize(
+            self, samples: Samples, hot_words: Sequence[str] = (), *, loud: bool = False
+        ) -> tuple[Recognized, ...]:
+            asked.append(loud)
+            return super().recognize(samples, hot_words, loud=loud)
+
+    noise = room * np.random.default_rng(1).standard_normal(len(A_SECOND))
+    heard(Notes(("up", 1.0)), Notes(("up", 0.9)), sound=(A_SECOND + noise).astype(np.float32))
+    assert asked == [loud, loud]
+
+
+def test_sentences_are_told_to_the_recognizer_where_commands_are_given() -> None:
+    assert set(SENTENCES) <= set(hot_words(PRACTICE, ()))
+    assert not set(SENTENCES) & set(hot_words(NAMING, ()))
+    assert not set(SENTENCES) & set(hot_words(PRACTICE, (), "german"))
