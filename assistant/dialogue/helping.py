@@ -24,7 +24,9 @@ def help_line(dialogue: Dialogue) -> RobotAct:
         topic = "count_of" if asked is not None and asked.topic == "count_of" else topic
         topic = "demonstration" if isinstance(dialogue.state, AwaitingShow) else topic
         topic = "watching" if isinstance(dialogue.state, Watching) else topic
-    return line("help", topic, things=thing_names(dialogue.known.scene, dialogue.known.setup))
+    things = thing_names(dialogue.known.scene, dialogue.known.setup)
+    named = [one.name for one in dialogue.known.objects or ()] or things
+    return line("help", topic, things=things, thing=named[0] if named else None)
 
 
 def patient(before: Dialogue, turn: Turn) -> Turn:

@@ -7,7 +7,7 @@ from dataclasses import replace
 from assistant.dialogue.asking import tell
 from assistant.dialogue.correcting import Correction
 from assistant.dialogue.doubting import doubted, is_guess
-from assistant.dialogue.finding import find, name_at
+from assistant.dialogue.finding import find, name_at, spoken_of
 from assistant.dialogue.going_back import resettled
 from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.placing import thing_named
@@ -81,7 +81,9 @@ def _step_meant(dialogue: Dialogue, told: str, done: acts.Where | None) -> str:
     things = mentioned_objects(told, known.objects or (), known.language)
     alike = [one.primitive for one in stations if one.kind in kinds and one.object in things]
     index = find(known, told)
-    return name_at(known, index) if index is not None else (alike[0] if len(alike) == 1 else "")
+    if index is not None:
+        return name_at(known, index)
+    return spoken_of(dialogue, told) or (alike[0] if len(alike) == 1 else "")
 
 
 def guessed_other(dialogue: Dialogue) -> Turn:

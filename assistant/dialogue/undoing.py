@@ -63,7 +63,8 @@ def _turned_to(
         unsaved=True,
         pending=None,
     )
-    said = line("done", topic, what=change.label, names=_named(before, change))
+    names_told = _named(before, change, back=topic == "redone")
+    said = line("done", topic, what=change.label, names=names_told)
     if small:
         return told_of(corrected(after), said)
     if after.arm == "checking":
@@ -71,11 +72,11 @@ def _turned_to(
     return resettled(before, after, said)
 
 
-def _named(before: Knowledge, change: Change) -> list[str]:
+def _named(before: Knowledge, change: Change, *, back: bool) -> list[str]:
     """Return the steps, or corrections, that came or went with a change."""
     if change.label in ("correction", "corrections"):
-        one, other = before, change.known
-        return [*_corrections(one, other), *_corrections(other, one)]
+        lost, won = _corrections(before, change.known), _corrections(change.known, before)
+        return (won or lost) if back else (lost or won)
     if change.label not in ("subtask_name", "steps"):
         return []
     here, there = names(before.root), names(change.known.root)

@@ -240,3 +240,20 @@ def test_no_to_a_large_change_leaves_all_as_it_was() -> None:
     teacher = corrected(acts.Translate("up", distance_m=0.03)).hear(acts.Deny())
     assert teacher.topics[0] == "told.as_it_was"
     assert public_view(teacher.dialogue)["feedback"] == []
+
+
+def test_a_step_meant_instead_may_be_told_by_what_is_done_in_it() -> None:
+    teacher = Lessons().ready()
+    where = acts.Where("grasp object", "before")
+    teacher.hear(acts.Translate("up", where=where), text="higher before you grasp it")
+    teacher.hear(acts.Deny(), text="no, I meant when you place it")
+    (given,) = public_view(teacher.dialogue)["feedback"]
+    assert given["primitive"] == "place object on target"
+
+
+def test_an_undo_of_what_was_changed_in_place_names_the_last_words() -> None:
+    teacher = Lessons().ready().hear(acts.Translate("up"), text="up")
+    teacher.hear(acts.AdjustLast("less"), text="half of that").hear(acts.Undo(), text="undo")
+    assert phrase(teacher.lines[0]) == 'I took back the last correction: "up, half of that".'
+    teacher.hear(acts.Redo(), text="redo")
+    assert phrase(teacher.lines[0]) == 'I brought back the last correction: "up, half of that".'
