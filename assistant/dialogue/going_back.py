@@ -45,7 +45,9 @@ def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
     if stage == "learning":
         reviewing = replace(confirmed, state=Reviewing())
         return first(halting, tell(reviewing, read_back(known)))
-    return first(halting, ask(replace(confirmed, state=Ready())))
+    # Who wants to practice takes what was learned as it is.
+    known = replace(confirmed.known, reviewed=True)
+    return first(halting, ask(replace(confirmed, known=known, state=Ready())))
 
 
 def resettled(before: Knowledge, dialogue: Dialogue, said: RobotAct) -> Turn:

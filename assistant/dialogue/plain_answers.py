@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from assistant.dialogue import reviewing
 from assistant.dialogue.finding import find
 from assistant.dialogue.naming import is_nothing, listed_steps, number_of, tidy_name
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
+from assistant.dialogue.unnamed import names_new_step
 from assistant.language.actions import read_action
 from assistant.language.asides import recounted
 from assistant.language.bodies import read_body
@@ -90,7 +90,7 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
         return dialogue.pending.asked == "facing" and bool(stands(text, dialogue.language))
     state = dialogue.state
     if isinstance(state, Reviewing):
-        return reviewing.names_new_step(state) and "?" not in text
+        return names_new_step(state) and "?" not in text
     if not isinstance(state, Introducing):
         return False
     values = tuple(value for act in meant for value in _values(act))

@@ -71,7 +71,7 @@ def _in_part(dialogue: Dialogue, text: str) -> list[tuple[Index, str]]:
 
 def shown_again(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
     """Watch the task again for the sake of one step; None where none is named."""
-    if _asks_between(dialogue) or not dialogue.known.demonstrations or dialogue.busy:
+    if _asks_between(dialogue) or dialogue.known.lesson is None or dialogue.busy:
         return None
     shows, again = _any("shows", dialogue.language), _any("once_more", dialogue.language)
     told = re.search(rf"\b(?:{shows})\s+(.+?)\s+(?:{again})\b", words.text, re.IGNORECASE)

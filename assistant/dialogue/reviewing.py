@@ -8,20 +8,17 @@ from typing import Any
 from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, tell
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
-from assistant.dialogue.introduction import with_roles
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
-from assistant.dialogue.sketch import Sketch, at, inserted, names, put
+from assistant.dialogue.sketch import at, put
 from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewing, Running, Thinking
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.dialogue.unnamed import introduced_late, names_new_step, no_step_of_its_own
 from assistant.geometry import pose_to_mm_deg
-from assistant.language.actions import read_action
-from assistant.learning.apart import set_apart
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson, Question
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.setup import Place
-from assistant.model.task import Action
 
 SLOW_REPLAY = 0.5
 _DOUBTED = "doubtfully_shown"
@@ -116,17 +113,14 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct, words: st
             return say(dialogue, line("told", "change_segmentation"))
         case acts.Affirm() | acts.Approve() if head is not None:
             return _yes(dialogue, state)
+        case acts.Deny() if names_new_step(state):
+            return no_step_of_its_own(dialogue, state) or next_question(dialogue, state)
         case acts.Deny():
             return next_question(dialogue, state)
         case acts.Inform(value) if head is not None:
             return _told(dialogue, state, _own_name(state, str(value), words))
         case _:
             return tell(dialogue, line("error", "not_now"))
-
-
-def names_new_step(state: Reviewing) -> bool:
-    """Whether the open question asks for the name of a step that was never introduced."""
-    return bool(state.questions) and state.questions[0].reason == "never_introduced"
 
 
 def _own_name(state: Reviewing, value: str, words: str) -> str:
@@ -169,9 +163,11 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
     head = state.questions[0]
     if head.asked != "missing_step":
         return tell(dialogue, line("error", "not_now"))
+    if names_new_step(state) and is_no_step(value, dialogue.language):
+        return no_step_of_its_own(dialogue, state) or next_question(dialogue, state)
     if head.reason == "never_introduced":
         from_s, to_s = (float(str(head.facts.get(key, 0.0))) for key in ("from_s", "to_s"))
-        return _introduced_late(dialogue, value, from_s, to_s)
+        return introduced_late(dialogue, value, from_s, to_s)
     if is_no_step(value, dialogue.language):
         return next_question(dialogue, state)
     nodes = [part.primitive for part in _episodes(dialogue) if part.primitive]
@@ -184,24 +180,6 @@ def _told(dialogue: Dialogue, state: Reviewing, value: str) -> Turn:
 def _show_again(dialogue: Dialogue, name: str) -> Turn:
     waiting = replace(dialogue, state=AwaitingShow())
     return tell(waiting, line("told", "needs_demonstration", name=name))
-
-
-def _introduced_late(dialogue: Dialogue, name: str, from_s: float, to_s: float) -> Turn:
-    """Take the name of a step that was shown but not introduced, and learn with it."""
-    known, lesson = dialogue.known, dialogue.known.lesson
-    if lesson is None or alike(name, names(known.root)):
-        return tell(dialogue, line("error", "name_taken", name=name))
-    cuts_s, taken = set_apart(lesson.segmentation.episodes, name, from_s, to_s)
-    number = taken.index(name) if name in taken else 0
-    after = index_of(known, taken[number - 1]) if number else ()
-    parent, position = (after[:-1], after[-1] + 1) if after else ((), 1)
-    # It was seen as one motion; without a word for it, it is done as shown.
-    action = read_action(name, known.objects or (), known.language).action or Action("free", name)
-    root = inserted(known.root, parent, position, Sketch(name, True, action=action))
-    assigned = tuple((part, told) for part, told in enumerate(taken, start=1) if told)
-    more = replace(known, root=root, cuts_s=cuts_s, assigned=assigned)
-    added = changed(dialogue, "added", with_roles(more))
-    return first(say(added, line("done", "added", name=name))[1], learn(added))
 
 
 def _episodes(dialogue: Dialogue) -> tuple[Any, ...]:

@@ -131,9 +131,15 @@ def _tells(told: Told, known: Knowledge, language: str) -> bool:
 
 
 def _steps(told: Told, language: str) -> tuple[str, ...]:
-    if told.topic == "count" and not told.listed:
-        return listed_steps(told.text, told.count, language)
-    return steps_in(told.text, max(told.count, 2), language) if told.text else ()
+    if not told.text:
+        return ()
+    plain = told.topic == "count" and not told.listed
+    # Who says three may name two, joined by an "and".
+    for room in dict.fromkeys((max(told.count, 2), 2)):
+        steps = (listed_steps if plain else steps_in)(told.text, room, language)
+        if len(steps) > 1:
+            return steps
+    return () if plain else steps
 
 
 def _note(noted: _Noted, state: Introducing, told: Told) -> _Noted:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue import effects as fx
@@ -198,3 +200,24 @@ def test_who_must_finish_the_plan_is_told_how_to_leave_it_as_it_was() -> None:
     teacher = Lessons().ready().hear(acts.Split("grasp object")).hear(acts.GoBack("practice"))
     assert teacher.topics[0] == "error.plan_open"
     assert teacher.hear(acts.Undo()).asked == "ready"
+
+
+def test_what_is_no_step_of_its_own_belongs_to_the_step_it_leads_to() -> None:
+    facts = {"from_s": 6.0, "to_s": 8.0, "introduced": 5, "shown": 5}
+    question = Question("missing_step", "", "never_introduced", facts)
+    teacher = Lessons().learned(question)
+    known = teacher.dialogue.known
+    assert known.lesson is not None
+    # A part of a step that was introduced stays as it is.
+    assert not Lessons(teacher.dialogue).hear(acts.Deny(), text="none").did(fx.Learn)
+    found = known.lesson.segmentation
+    episodes = tuple(
+        replace(one, primitive=None) if number == 3 else one
+        for number, one in enumerate(found.episodes)
+    )
+    lost = replace(known.lesson, segmentation=replace(found, episodes=episodes))
+    teacher.dialogue = replace(teacher.dialogue, known=replace(known, lesson=lost))
+    learn = _wanted(Lessons(teacher.dialogue).hear(acts.Deny(), text="none"))
+    assert dict(learn.assigned)[4] == STEPS[4]
+    assert learn.cuts_s == (2.0, 4.0, 6.0, 8.0)
+    assert _wanted(teacher.tell("none")) == learn

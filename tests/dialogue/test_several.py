@@ -58,3 +58,11 @@ def test_no_goal_is_no_goal() -> None:
 def test_what_it_needs_to_do_is_no_thing() -> None:
     teacher = Lessons().open().tell("tidy").tell("it needs to be on the target")
     assert teacher.dialogue.known.goal == "it needs to be on the target"
+
+
+def test_fewer_named_than_said_are_asked_for() -> None:
+    teacher = Lessons().open().tell("tidy").tell("all is done").tell(("block", "target"))
+    for told in ("three steps, grasp the block and release it", "3 parts: grasp it and let it go"):
+        asked = Lessons(teacher.dialogue).tell(told)
+        assert len(steps(asked)) == 2
+        assert asked.lines[-1].slots["which"] == 3
