@@ -150,6 +150,9 @@ def introduced(dialogue: Dialogue) -> Turn:
         return learn(dialogue)
     if known.lesson is None:
         return ask(replace(dialogue, state=AwaitingShow()))
+    if outdated:
+        # A kept task holds what was learned, not what was shown: nothing can be learned anew.
+        return tell(replace(dialogue, state=AwaitingShow()), line("told", "must_be_shown"))
     if not known.reviewed:
         return ask(replace(dialogue, state=Reviewing()))
     return ask(replace(dialogue, state=Ready()))
@@ -177,6 +180,8 @@ def settle(dialogue: Dialogue, *lines: RobotAct) -> Turn:
         return first(say(going, *lines)[1], proceed(going))
     if known.demonstrations and known.lesson is not None and not same_motions(known):
         return first(say(dialogue, *lines)[1], learn(replace(dialogue, arm="rest")))
+    if known.lesson is not None and not same_motions(known):
+        return first(say(dialogue, *lines)[1], introduced(replace(dialogue, arm="rest")))
     return tell(dialogue, *lines)
 
 

@@ -166,3 +166,16 @@ def test_a_task_shown_anew_is_not_the_same() -> None:
     path = replace(kept.learned.path, path=kept.learned.path.path + 0.01)
     shown = replace(kept, learned=replace(kept.learned, path=path))
     assert _compared(teacher, shown).topics[0] == "told.comparison_shown"
+
+
+def test_a_kept_task_whose_motions_are_changed_must_be_shown_again() -> None:
+    teacher = Lessons().open(tree_task(lesson()), saved=("pick and place",))
+    assert teacher.asked == "ready"
+    teacher.hear(acts.AddSubtask("turn left", after="grasp object"))
+    assert teacher.topics[1:] == ["told.must_be_shown", "ask.ready_to_watch"]
+    assert not teacher.did(fx.Learn)
+    assert teacher.hear(acts.Undo()).topics[-1].startswith("ask.ready_")
+    assert not teacher.did(fx.Learn)
+    # Names, order and what may be left out need no demonstration.
+    for act in (acts.Rename("grasp object", "grip"), acts.Optional("move up object")):
+        assert "told.must_be_shown" not in teacher.hear(act).topics
