@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
-from assistant.dialogue.asking import ask
+from assistant.dialogue.asking import ask, question
 from assistant.dialogue.placing import set_pose
 from assistant.dialogue.state import Dialogue, Pending, Ran, Ready
 from assistant.dialogue.turn import Turn, line
@@ -20,11 +20,13 @@ from assistant.model.directions import WAYS
 from assistant.model.settings import SafetySettings
 
 SAFETY = SafetySettings()
+BY_DEGREE_M = {"little": 0.02, None: 0.05, "much": 0.1}
+"""How far a thing was put that somebody put further without telling how far."""
 
 
 def stands_elsewhere(dialogue: Dialogue, act: acts.TeacherAct, words: str) -> Turn | None:
     """Put a thing elsewhere that words of moving are about, or ask; None for a correction."""
-    if not isinstance(act, acts.Translate) or act.distance_m is None or act.where is not None:
+    if not isinstance(act, acts.Translate) or act.where is not None:
         return None
     if not isinstance(dialogue.state, Ready | Ran) or not _puts(words, dialogue.language):
         return None
@@ -33,15 +35,19 @@ def stands_elsewhere(dialogue: Dialogue, act: acts.TeacherAct, words: str) -> Tu
     roles = {one.name: one.role for one in things}
     if len(named) != 1 or named[0] not in dialogue.known.setup.places:
         return None
-    x, y, z = (1000.0 * act.distance_m * share for share in WAYS[act.direction])
+    target = roles[named[0]] == "target"
+    far_m = act.distance_m if act.distance_m is not None else BY_DEGREE_M[act.degree]
+    x, y, z = (1000.0 * far_m * share for share in WAYS[act.direction])
     there = acts.SetPose(named[0], by_mm=(x, y, z))
-    if roles[named[0]] == "target":
+    asked = question(dialogue)
+    wanted = asked is not None and asked.topic == "ready_refused"
+    if target and (act.distance_m is not None or wanted):
         return set_pose(dialogue, there, words, sure=True)
-    if abs(act.distance_m) <= SAFETY.confirm_beyond_m:
+    if not target and (act.distance_m is None or abs(far_m) <= SAFETY.confirm_beyond_m):
         return None
     told = [acts.act_to_json(act)]
-    question = line("confirm", "stands_elsewhere", asked="did_you_mean", acts=told, thing=named[0])
-    pending = Pending("did_you_mean", question, (there,), words, other=(act,))
+    asking = line("confirm", "stands_elsewhere", asked="did_you_mean", acts=told, thing=named[0])
+    pending = Pending("did_you_mean", asking, (there,), words, other=(act,))
     return ask(replace(dialogue, pending=pending))
 
 

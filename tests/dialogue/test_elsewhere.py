@@ -49,3 +49,15 @@ def test_where_the_teacher_stands_is_asked_before_a_thing_is_put_to_the_left() -
     before = teacher.dialogue.known.setup.places["target"].xyz_mm[1]
     teacher.hear(acts.Inform("facing you"), text="facing you")
     assert teacher.dialogue.known.setup.places["target"].xyz_mm[1] == before - 100.0
+
+
+def test_a_target_put_a_bit_aside_is_asked_about() -> None:
+    near = acts.Translate("right", "little")
+    teacher = ready().hear(near, text="move the target a bit to the right")
+    assert teacher.topics == ["confirm.stands_elsewhere"]
+    before = teacher.dialogue.known.setup.places["target"].xyz_mm[1]
+    teacher.hear(acts.Affirm(), text="yes")
+    assert teacher.dialogue.known.setup.places["target"].xyz_mm[1] == before - 20.0
+    assert (
+        ready().hear(near, text="move the block a bit to the right").topics[0] == "done.translate"
+    )
