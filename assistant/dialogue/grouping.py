@@ -22,6 +22,9 @@ from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
 from assistant.model.task import Action, Index
 
+SHOW_AGAIN = "show_again_now"
+"""The question whether a change is shown now; whoever denies it takes the change back."""
+
 
 def unordered(dialogue: Dialogue, named: tuple[str, ...]) -> Turn:
     """Let the parts of a node come in any order."""
@@ -91,7 +94,7 @@ def ordered(dialogue: Dialogue, one: str, other: str) -> Turn:
 
 def offer_demonstration(dialogue: Dialogue, *lines: RobotAct) -> Turn:
     """Say that a change must be shown, and offer to watch now."""
-    question = line("ask", "show_again_now", asked="ready")
+    question = line("ask", SHOW_AGAIN, asked="ready")
     pending = Pending("ready", question, (acts.GoBack("demonstration"),))
     return tell(replace(dialogue, pending=pending), *lines)
 

@@ -17,6 +17,7 @@ from assistant.dialogue.finding import with_name
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.general import general
 from assistant.dialogue.grounding import names_known, two_ways
+from assistant.dialogue.grouping import SHOW_AGAIN
 from assistant.dialogue.helping import help_line, patient
 from assistant.dialogue.naming import number_of, text_of, tidy_name
 from assistant.dialogue.otherwise import (
@@ -39,6 +40,7 @@ from assistant.dialogue.state import (
     Watching,
 )
 from assistant.dialogue.turn import Turn, Words, changed, first, in_full, line, say, with_other
+from assistant.dialogue.undoing import undo
 from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.dialogue.wondering import asks_why, wondered
 from assistant.language.hints import hints, mentions
@@ -244,6 +246,9 @@ def _denied(dialogue: Dialogue, pending: Pending) -> Turn:
     free = replace(dialogue, pending=None)
     if pending.line.topic == heard_names.TOPIC:
         return tell(free, line("told", "say_or_spell"))
+    if pending.line.topic == SHOW_AGAIN:
+        # What is not shown anew cannot be done anew.
+        return undo(free)
     if is_guess(pending) and pending.other:
         return guessed_other(dialogue)
     if is_guess(pending):

@@ -118,6 +118,10 @@ def test_two_steps_called_by_name_are_exchanged_and_shown_anew() -> None:
     teacher = Lessons().ready().tell(f"switch {STEPS[0]} and {STEPS[1]}")
     assert names(teacher.dialogue.known.root.parts[0])[:2] == (STEPS[1], STEPS[0])
     assert teacher.topics == ["done.ordered", "ask.show_again_now"]
+    # What is not shown anew is as it was: no order is kept that cannot be carried out.
+    denied = Lessons(teacher.dialogue).hear(acts.Deny())
+    assert denied.topics[0] == "done.undone"
+    assert names(denied.dialogue.known.root.parts[0])[:2] == STEPS[:2]
     # Things change places, not steps.
     kept = Lessons().ready().tell("swap the block and the target").dialogue.known.root
     assert names(kept.parts[0]) == STEPS[:3]
