@@ -91,10 +91,13 @@ def overlap(scene: Scene, setup: Setup, stops: tuple[HandStop, ...]) -> Refusal 
     bodies = bodies_at(scene, setup, None)
     solid = {name: body_box(scene.bodies[name], pose) for name, pose in bodies.items()}
     solid = {name: box for name, box in solid.items() if np.all(box.half > 0)}
+    tables = {table.name for table in scene.tables}
     for thing in fixed_things(scene):
+        # What was told to be within a table was told too low.
+        hint = "higher" if thing.name in tables else "clear"
         for name, box in solid.items():
             if thing.name != "floor" and (deep := -boxes_apart(box, thing.box)[0]) > OVERLAP_M:
-                return _overlapping(name, thing.name, float(deep))
+                return _overlapping(name, thing.name, float(deep), hint)
     for first, second in combinations(solid, 2):
         if (deep := -boxes_apart(solid[first], solid[second])[0]) > OVERLAP_M:
             return _overlapping(first, second, float(deep))
@@ -117,8 +120,8 @@ def _on_its_target(
     return None
 
 
-def _overlapping(first: str, second: str, deep_m: float) -> Refusal:
-    return Refusal("setup", first, second, 1000.0 * deep_m, "mm", "clear")
+def _overlapping(first: str, second: str, deep_m: float, hint: str = "clear") -> Refusal:
+    return Refusal("setup", first, second, 1000.0 * deep_m, "mm", hint)
 
 
 def phases(

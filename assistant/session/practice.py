@@ -235,6 +235,7 @@ HINTS: Mapping[str, str] = {
     "farther": "put it farther away",
     "turn": "turn it",
     "lower": "put it lower",
+    "higher": "put it higher",
     "clear": "clear the way",
 }
 

@@ -70,3 +70,11 @@ def test_people_measure_to_the_millimetre() -> None:
     where = scene()
     told = setup((553.0, 190.0, 299.0), 0.0, (520.0, -248.6, 300.0), 40.0)
     assert overlap(where, told, pick_and_place(where, told).stops) is None
+
+
+def test_a_body_told_within_a_table_is_to_be_put_higher() -> None:
+    where = Scene("table", {"red": Body("red")}, (TABLE,))
+    places = {"red": Place("body", (500.0, 0.0, 200.0))}
+    refusal = overlap(where, Setup("s", "table", places=places), ())
+    assert refusal is not None
+    assert (refusal.what, refusal.hint) == (TABLE.name, "higher")
