@@ -10,7 +10,7 @@ from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted
-from assistant.dialogue.naming import listed_steps, tidy_name
+from assistant.dialogue.naming import alike, listed_steps, tidy_name
 from assistant.dialogue.plan_words import (
     added,
     called,
@@ -71,7 +71,8 @@ def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) ->
         return None
     told = line("told", "nice_to_meet", name=name)
     opened = after(rest, "naming", dialogue.language) or taught(rest, dialogue.language)
-    if opened and _asks(dialogue, "task_name"):
+    vague = alike(opened, hints("no_taught", dialogue.language))
+    if opened and not vague and _asks(dialogue, "task_name"):
         said = say(dialogue, told)[1]
         return first(said, in_state(dialogue, acts.Inform(opened), replace(words, text=opened)))
     return tell(dialogue, told)
@@ -96,6 +97,9 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
     name = mended(after(words.text, part, dialogue.language), dialogue.language)
     if not name and state.asked == "task_name":
         name = taught(words.text, dialogue.language)
+        if alike(name, hints("no_taught", dialogue.language)):
+            # "I want to teach you something" is just what the question is about.
+            return ask(dialogue)
     if name and state.asked == "task_name":
         return in_state(dialogue, acts.Inform(name), replace(words, text=name))
     if name and known.name:

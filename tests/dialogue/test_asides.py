@@ -270,3 +270,11 @@ def test_who_asks_how_to_show_is_told_before_the_robot_watches(text: str) -> Non
 def test_a_question_is_no_doubtful_yes() -> None:
     teacher = Lessons().ready().hear(acts.Affirm(), text="is it heavy", sure=0.5)
     assert teacher.topics == ["error.not_understood", "ask.ready_slow"]
+
+
+def test_to_teach_something_is_no_name() -> None:
+    vague = ("I want to teach you something", "hi, I am Bob and I'd like to teach you a new task")
+    for text in (*vague, "stacking"):
+        teacher = newcomer(text)
+        assert bool(teacher.dialogue.known.name) == (text == "stacking")
+        assert teacher.asked == ("goal" if text == "stacking" else "task_name")
