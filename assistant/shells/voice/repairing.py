@@ -46,11 +46,15 @@ _COUNTS = (("two", rf"\b(?:to|too) {_MEASURE}"), ("four", rf"\b(?:for|fore) {_ME
 _MORE_ACTIONS = frozenset(("pick", "place", "put", "pour", "insert", "wipe", "press", "stack"))
 _NEVER_FIRST = frozenset(("back", "let", "get", "go", "come", "open", "close", "lower"))
 """Where they follow another action's word they mostly belong to it: "move back"."""
+_ARTICLES = frozenset(("the", "a"))
+"""A recognizer hears them in the breath before a word."""
 _INTRODUCING = frozenset(("the", "a", "to", "of", "for"))
 
 
 def written(heard: str, asked: str | None = None, language: str = "english") -> str:
     """Return a reading as it is written: "up two centimeters" for "to", lists with commas.
+
+    A step's name has no article before its action.
 
     Parameters
     ----------
@@ -63,7 +67,16 @@ def written(heard: str, asked: str | None = None, language: str = "english") -> 
         return heard
     for number, pattern in _COUNTS:
         heard = re.sub(pattern, f"{number} ", heard)
+    if asked == "subtask_name":
+        return _without_article(heard)
     return _listed(heard) if asked == "actions" else heard
+
+
+def _without_article(heard: str) -> str:
+    """Return a step's name without an article before its action: "the approach object"."""
+    first, _, name = heard.partition(" ")
+    action, _, thing = name.partition(" ")
+    return name if first in _ARTICLES and thing and action in _actions() else heard
 
 
 def _listed(heard: str) -> str:

@@ -76,3 +76,17 @@ def test_little_words_before_a_measure_are_numbers(heard: str, said: str) -> Non
 def test_actions_said_one_after_another_are_a_list(heard: str, said: str) -> None:
     assert written(heard, "actions") == said
     assert written(heard) == heard
+
+
+@pytest.mark.parametrize(
+    ("heard", "name"),
+    [
+        ("the approach object", "approach object"),
+        ("a grasp the object", "grasp the object"),
+        ("the approach", "the approach"),
+        ("the red block", "the red block"),
+    ],
+)
+def test_a_step_has_no_article_before_its_action(heard: str, name: str) -> None:
+    assert written(heard, "subtask_name") == name
+    assert written(heard, "objects") == heard
