@@ -51,8 +51,8 @@ cut; ``moved``: cuts that the motion without cues does not have; ``unlike``: pri
 and steps nobody introduced.
 """
 
-WHOLE_WEIGHTS = np.array([1.05, 0.06, 0.06, 0.08, 0.01, 0.03, -3.32])
-WHOLE_BIAS = 0.02
+WHOLE_WEIGHTS = np.array([0.79, 0.11, 0.13, -0.03, -0.32, 0.02, -2.75])
+WHOLE_BIAS = -0.11
 """Source: as above."""
 
 _NEAR_S = 0.25

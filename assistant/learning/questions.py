@@ -12,7 +12,7 @@ from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import Episode, Question, SegmentationPoint
 from assistant.model.task import Primitive, Task, primitives
 
-UNSURE = 0.7
+UNSURE = 0.6
 """The robot asks if its confidence that all cuts are right lies below.
 
 Between asking about every lesson that went wrong and about none that went right; the curve is
