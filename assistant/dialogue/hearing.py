@@ -204,14 +204,12 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return tell(replace(dialogue, brief=brief), line("told", topic))
         case acts.Stop():
             return _stop(dialogue)
-        case acts.Quit() if not isinstance(dialogue.state, Watching) and not _leaving(dialogue):
-            return keeping.leave_wanted(dialogue)
+        case acts.Quit() if not isinstance(dialogue.state, Watching):
+            # Whoever says it twice has been asked about what is not saved already.
+            leaving = dialogue.pending is not None and dialogue.pending.leave
+            return None if leaving else keeping.leave_wanted(dialogue)
         case _:
             return None
-
-
-def _leaving(dialogue: Dialogue) -> bool:
-    return dialogue.pending is not None and dialogue.pending.leave
 
 
 def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
@@ -228,6 +226,9 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
         return _chosen(free, pending, text_of(act.value), words)
     confirmed = Words(pending.words or words.text, words.by_voice, sure=True)
     match act:
+        case acts.Start() if is_guess(pending) and set(map(type, pending.acts)) == {acts.Deny}:
+            # "Did you mean: no?" is not said yes to by "go".
+            return None
         case acts.Affirm() | acts.Approve() | acts.Start() if pending.line.topic == BEGIN_ANEW:
             return fresh(free)
         case acts.Affirm() | acts.Approve() | acts.Start():

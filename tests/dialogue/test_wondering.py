@@ -129,3 +129,9 @@ def test_who_is_here_for_the_first_time_is_guided(text: str, topic: str) -> None
 def test_an_empty_table_is_told() -> None:
     teacher = Lessons().happen(ev.Begun(Scene(), Setup()))
     assert teacher.hear(acts.Unknown(), text="what's on the table").topics[0] == "told.empty_table"
+
+
+def test_go_is_no_yes_to_a_guessed_no() -> None:
+    teacher = Lessons().ready().hear(acts.Deny(), text="the block is a metre away", sure=0.5)
+    assert teacher.topics == ["confirm.did_you_mean"]
+    assert teacher.hear(acts.Start(), text="go").did(fx.Check)
