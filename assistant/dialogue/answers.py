@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from assistant.dialogue.bodies import WIDEST_MM, too_wide, with_body
+from assistant.dialogue.bodies import with_body
 from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
 from assistant.dialogue.naming import (
     Value,
@@ -200,23 +200,4 @@ def _body(known: Knowledge, thing: str, value: Value) -> Answered:
     told = read_body(text_of(value), known.language, thing)
     if told.size_mm is None:
         return Answered(known, (line("error", "size", thing=thing),))
-    sized, said = _holdable(known, thing, told.size_mm)
-    return Answered(with_body(sized, thing, told.shape or "box", told.size_mm), said)
-
-
-def _holdable(
-    known: Knowledge, thing: str, size_mm: tuple[float, ...]
-) -> tuple[Knowledge, tuple[RobotAct, ...]]:
-    """Return what follows for a thing that the fingers cannot be put around.
-
-    It is where something else goes; where it is the only thing to carry, that is told.
-    """
-    things = known.objects or ()
-    if not too_wide(size_mm) or not any(
-        (one.name, one.role) == (thing, "object") for one in things
-    ):
-        return known, ()
-    if not any(one.role == "object" for one in things if one.name != thing):
-        return known, (line("told", "too_wide", thing=thing, most_mm=WIDEST_MM),)
-    roles = (replace(one, role="target") if one.name == thing else one for one in things)
-    return replace(known, objects=tuple(roles)), ()
+    return Answered(with_body(known, thing, told.shape or "box", told.size_mm))

@@ -57,9 +57,14 @@ def fitted(known: Knowledge) -> Knowledge:
     return replace(known, scene=replace(known.scene, bodies=bodies))
 
 
-def too_wide(size_mm: tuple[float, ...]) -> bool:
-    """Whether the fingers cannot be put around a body of this size, however it is turned."""
-    return min(size_mm[:2]) > WIDEST_MM
+def too_wide(known: Knowledge) -> str:
+    """Return what is to be carried though the fingers cannot be put around it; empty if all can.
+
+    However it is turned, they cannot.
+    """
+    carried = (one.name for one in known.objects or () if one.role == "object")
+    told = {name: known.scene.bodies[name].size_mm for name in carried if name in known.shaped}
+    return next((name for name, size_mm in told.items() if min(size_mm[:2]) > WIDEST_MM), "")
 
 
 def _height_mm(tall_mm: float) -> float:

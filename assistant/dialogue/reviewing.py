@@ -6,6 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, tell
+from assistant.dialogue.bodies import WIDEST_MM, too_wide
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
@@ -38,6 +39,9 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
             learn_why=event.why_not,
         )
         slots = {**event.facts, "reason": event.why_not}
+        wide = too_wide(known) if event.why_not == "never_closed" else ""
+        if wide:
+            slots |= {"thing": wide, "most_mm": WIDEST_MM}
         return tell(waiting, RobotAct("error", f"not_learned.{event.why_not}", slots=slots))
     lesson = carried_over(known.lesson, event.lesson)
     # A lesson follows from what the teacher did last: undo takes back that, and the lesson too.

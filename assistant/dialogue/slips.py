@@ -55,7 +55,9 @@ def _begun_anew(dialogue: Dialogue) -> Turn:
 def _fewer(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
     """Take it that there are no more steps than were named, or none below the step."""
     known, parent, named = dialogue.known, state.index[:-1], state.index[-1] - 1
-    no_more = _tells(dialogue, words, "no_more_steps") or is_nothing(words.text, dialogue.language)
+    # Of the parts of a step "none" tells that there are no more; the task itself was counted.
+    none = bool(parent) and is_nothing(words.text, dialogue.language)
+    no_more = none or _tells(dialogue, words, "no_more_steps")
     if named and no_more:
         root = put(known.root, parent, counted(at(known.root, parent), named))
         told = line("done", "counted", count=named)

@@ -107,11 +107,12 @@ def test_words_that_change_the_plan_are_no_name() -> None:
     assert teacher.tell("remove the lid").dialogue.known.root.parts[1].name == "remove the lid"
 
 
-def test_no_more_is_an_answer_once_a_step_is_named() -> None:
+def test_no_more_is_an_answer_once_a_part_is_named() -> None:
     teacher = Lessons().open().tell("task").tell("done").tell(("block", "target"))
-    assert teacher.tell(3).tell("none").topics[0] == "error.not_an_answer"
+    teacher.tell(("fetch", "serve")).tell(3)
+    assert teacher.tell("none").topics[0] == "error.not_an_answer"
     teacher.tell("grasp the block").tell("none")
-    assert names(teacher.dialogue.known.root) == ("grasp the block",)
+    assert names(teacher.dialogue.known.root) == ("fetch", "grasp the block", "serve")
 
 
 def test_two_steps_called_by_name_are_exchanged_and_shown_anew() -> None:
