@@ -41,7 +41,7 @@ def examples(language: str) -> Examples:
     for sentence in phrasebook(language).sentences:
         if has_slot(sentence.nodes) or sentence.act in ("affirm", "deny", "stop"):
             continue
-        for n, phrase in enumerate(_expanded(sentence.nodes)):
+        for n, phrase in enumerate(expanded(sentence.nodes)):
             phrase = tuple(_stem(word, language) for word in phrase)
             found.setdefault((frozenset(phrase), sentence.act, str(sentence.slots)), sentence)
             if n >= MOST_EXAMPLES:
@@ -92,7 +92,7 @@ def _stem(word: str, language: str) -> str:
     return word
 
 
-def _expanded(nodes: Sequence[Node]) -> Iterator[Phrase]:
+def expanded(nodes: Sequence[Node]) -> Iterator[Phrase]:
     """Yield phrases a template stands for: each choice once, the others at their first."""
     firsts = tuple(next(iter(_ways(node))) for node in nodes)
     for at, node in enumerate(nodes):
@@ -104,7 +104,7 @@ def spelled_out(language: str, rng: Generator) -> Iterator[tuple[str, Sentence]]
     """Yield sentences the templates stand for, some names in their slots."""
     for sentence in phrasebook(language).sentences:
         for n, phrase in enumerate(
-            _expanded(_without_slots(sentence.nodes, rng, little_words(language)))
+            expanded(_without_slots(sentence.nodes, rng, little_words(language)))
         ):
             yield " ".join(phrase), sentence
             if n >= MOST_EXAMPLES:
@@ -138,7 +138,7 @@ def _ways(node: Node) -> Iterator[Phrase]:
             if len(way) <= 1:
                 yield from _ways(way[0]) if way else iter(((),))
             else:
-                yield from _expanded(way)
+                yield from expanded(way)
 
 
 def _tree(tree: Mapping[str, object]) -> Iterator[Phrase]:

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from assistant.language.choosing import candidates, chosen, ranking, scaled, weights
 from assistant.language.looks import Candidate, key_of
 from assistant.language.parsing import ACTING, Hearing, Parse
-from assistant.language.phrasebook import phrasebook
+from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.repair import respelled
 from assistant.language.seeking import chances_of
 from assistant.language.understanding import understand
@@ -76,11 +76,14 @@ def test_learned_readings_never_stop_the_arm() -> None:
     assert all(Stop() not in one.acts for one in candidates(parse, parse, words, chances, hearing))
 
 
-def test_a_language_without_weights_is_left_to_its_grammar() -> None:
-    hearing = Hearing(phrasebook("german"), Listening(stage="practice"), "german")
+def test_a_language_without_weights_is_left_to_its_grammar(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(LANGUAGES, "unlearned", "unlearned")
+    hearing = Hearing(phrasebook("german"), Listening(stage="practice"), "unlearned")
     parse = Parse((Undo(),), 0.9, "frame")
     words = words_of("mach das weg", hearing.book.contractions)
-    assert weights("german") is None
+    assert weights("unlearned") is None
     assert chosen(parse, parse, words, {}, hearing) is None
 
 

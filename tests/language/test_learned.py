@@ -5,7 +5,7 @@ import pytest
 from assistant.language.cutting import cuts
 from assistant.language.learned import learned
 from assistant.language.parsing import Hearing
-from assistant.language.phrasebook import phrasebook
+from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.words import words_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import act_to_json
@@ -59,6 +59,7 @@ def test_a_line_of_two_clauses_is_cut_between_them() -> None:
     assert [act_to_json(one.act)["act"] for one in best.clauses] == ["translate", "adjust_speed"]
 
 
-def test_a_language_without_weights_reads_nothing() -> None:
-    near = Hearing(phrasebook("german"), Listening(stage="practice"), "german")
+def test_a_language_without_weights_reads_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LANGUAGES, "unlearned", "unlearned")
+    near = Hearing(phrasebook("german"), Listening(stage="practice"), "unlearned")
     assert learned(words_of("etwas weiter links", near.book.contractions), near) == []
