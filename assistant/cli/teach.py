@@ -24,6 +24,7 @@ from assistant.cli.adapters import LANGUAGES, arm_argument
 from assistant.cli.naming import task_path
 from assistant.cli.talking import make_talking, shown_and_spoken, voice_arguments
 from assistant.errors import AssistantError, BadInput
+from assistant.language.hints import page
 
 if TYPE_CHECKING:
     from assistant.model.transcript import Transcript
@@ -174,6 +175,6 @@ def _tell_where(session: Session) -> None:
     if session.journal.trouble:
         # Said when it came up.
         return
-    name = session.journal.name
-    told = f"kept in {session.journal.path}; go on with: assistant teach --resume {name}"
-    print(told, file=sys.stderr)
+    journal = session.journal
+    told = page("terminal", session.language)["kept_where"]
+    print(told.format(path=journal.path, name=journal.name), file=sys.stderr)

@@ -11,9 +11,9 @@ from prompt_toolkit.document import Document
 from assistant.language.completion import filled, suggestions
 from assistant.language.hints import page
 from assistant.session.loop import Session
+from assistant.shells.showing import ways_to_show
 
 SHOWN = (".csv", ".yaml", ".yml")
-WAYS_TO_SHOW = ("keys", "scripted hand")
 
 
 class Sayable(Completer):
@@ -28,7 +28,9 @@ class Sayable(Completer):
         typed = document.text_before_cursor.lstrip()
         watching = self._session.watching is not None
         known = self._known()
-        known = (*WAYS_TO_SHOW, *known) if watching else known
+        language = self._session.language
+        ways = [ways_to_show(way, language)[0] for way in ("keys", "scripted")] if watching else []
+        known = (*ways, *known)
         lowered = typed.lower()
         first = [text for text in known if text.lower().startswith(lowered)]
         inside = [text for text in known if lowered in text.lower() and text not in first]

@@ -16,8 +16,6 @@ from assistant.session.loop import Session
 OFFER = ("offer", "offer_keys", "offer_scripted", "offer_file")
 """What a newcomer needs to know when the robot begins to watch: keys of ``terminal.yaml``."""
 CONTROL_S, SLOWEST_S = 0.02, 1.0
-_KEYS = re.compile(r"keys(?: (\d*\.?\d+) ?s?)?", re.IGNORECASE)
-_SCRIPTED = re.compile(r"(?:the )?script(?:ed)?(?: hand)?(?: (\d+))?", re.IGNORECASE)
 
 
 class Showing:
@@ -52,19 +50,20 @@ class Showing:
         None where the line does not ask for keys, or they cannot be used now. The paper's
         period is 0.5 s (IV-A).
         """
-        asked = _KEYS.fullmatch(line)
+        asked = _asked("keys", line, session.language)
         if not asked or not self._keys or session.watching is None:
             return None
-        return min(max(float(asked.group(1) or CONTROL_S), CONTROL_S), SLOWEST_S)
+        period = float((asked.group(1) or str(CONTROL_S)).replace(",", "."))
+        return min(max(period, CONTROL_S), SLOWEST_S)
 
     def take(self, session: Session, line: str) -> bool:
         """Show the task if the line says how; return whether it did."""
         if session.watching is None:
             return False
-        scripted = _SCRIPTED.fullmatch(line)
+        scripted = _asked("scripted", line, session.language)
         try:
             if scripted:
-                seed = int(scripted.group(1) or 0)
+                seed = round(float((scripted.group(1) or "0").replace(",", ".")))
                 demonstrate(session, Demonstrate(seed=seed, cues=None), Path())
             elif line.endswith((".csv", ".yaml", ".yml")):
                 path = Path(line).expanduser()
@@ -76,3 +75,15 @@ class Showing:
         except AssistantError as error:
             self._write(str(error))
         return True
+
+
+def ways_to_show(way: str, language: str) -> list[str]:
+    """Return the words by which a way to show a task is asked for, the one to offer first."""
+    words: list[str] = page("terminal", language)["showing"][way]
+    return words
+
+
+def _asked(way: str, line: str, language: str) -> re.Match[str] | None:
+    """Return the match of a line that asks for a way to show, perhaps with a number behind."""
+    words = "|".join(re.escape(one) for one in ways_to_show(way, language))
+    return re.fullmatch(rf"(?:{words})(?: (\d*[.,]?\d+) ?s?)?", line.strip(), re.IGNORECASE)

@@ -65,6 +65,15 @@ def names() -> set[str]:
     )
 
 
+def closed(page: Path) -> Iterator[str]:
+    """Yield the values of the closed types of a page."""
+    for node in ast.walk(ast.parse(page.read_text())):
+        if isinstance(node, ast.Subscript) and getattr(node.value, "id", "") == "Literal":
+            for one in ast.walk(node.slice):
+                if isinstance(one, ast.Constant) and isinstance(one.value, str):
+                    yield one.value
+
+
 def compared(page: Path) -> Iterator[tuple[int, str]]:
     """Yield the texts of a page's code that others are compared with or looked for among."""
     for node in ast.walk(ast.parse(page.read_text())):

@@ -13,8 +13,8 @@ from assistant.session.loop import Session
 from assistant.shells.keys import Due
 from assistant.shells.showing import Showing
 
-WATCHING = cast(Session, SimpleNamespace(watching=object()))
-AT_REST = cast(Session, SimpleNamespace(watching=None))
+WATCHING = cast(Session, SimpleNamespace(watching=object(), language="english"))
+AT_REST = cast(Session, SimpleNamespace(watching=None, language="english"))
 
 
 def nowhere(line: str) -> None:
