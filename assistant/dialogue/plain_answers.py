@@ -47,7 +47,13 @@ def told_steps(
         return ()
     answering = all(
         isinstance(
-            act, acts.Inform | acts.Unknown | acts.AddSubtask | acts.Translate | acts.Gripper
+            act,
+            acts.Inform
+            | acts.Unknown
+            | acts.AddSubtask
+            | acts.Ordered
+            | acts.Translate
+            | acts.Gripper,
         )
         for act in meant
     )

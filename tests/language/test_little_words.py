@@ -59,6 +59,8 @@ def names() -> set[str]:
     found |= set(teacher_acts.ACTS)
     for told in (*vars(teacher_acts).values(), *vars(listening).values()):
         found |= {one for one in get_args(told) if isinstance(one, str)}
+    for page in CODE.glob("*.py"):
+        found |= set(closed(page))
     book = phrasebook()
     return (
         found | OWN | set(book.motion.values()) | {kind for kind, _ in book.numbers.units.values()}
