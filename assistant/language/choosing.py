@@ -61,11 +61,14 @@ class Weights:
     ----------
     sure_at : float
         The probability from which few enough choices are wrong that they are acted on.
+    exact_from : float
+        From which a sentence of the phrasebook is trusted, where few sentences were learned from.
     """
 
     choice: Mapping[str, float]
     sureness: Mapping[str, float]
     sure_at: float
+    exact_from: float = 1.0
 
 
 @cache
@@ -79,7 +82,7 @@ def weights(language: str) -> Weights | None:
         {name: float(value) for name, value in page[part].items()}
         for part in ("choice", "sureness")
     )
-    return Weights(choice, sureness, float(page["sure_at"]))
+    return Weights(choice, sureness, float(page["sure_at"]), float(page.get("exact_from", 1.0)))
 
 
 def chosen(
@@ -123,7 +126,9 @@ def _score(
         score, weighed = min(score, DOUBTFUL), replace(weighed, score=min(weighed.score, DOUBTFUL))
     if acts != weighed.acts:
         return score
-    if _consenting(weighed, chances) or right >= _trusted_from(acts, hearing):
+    trusted = _trusted_from(acts, hearing)
+    trusted = min(trusted, known.exact_from) if known and weighed.exact else trusted
+    if _consenting(weighed, chances) or right >= trusted:
         return max(score, weighed.score)
     return score
 
