@@ -2,7 +2,8 @@
 
 Led by keys, a hand stops a while after its teacher meant it to; opening and closing are not so
 late. Who speaks at the cuts tells both lags: where cues come later after the gripper acts than
-after the hand stops, the hand had stopped late.
+after the hand stops, the hand had stopped late. That is looked for in a hand that is jogged only:
+it goes at one speed, where a free hand's speed rises and falls.
 """
 
 from __future__ import annotations
@@ -14,10 +15,13 @@ from numpy.typing import NDArray
 
 from assistant.geometry import Array
 from assistant.learning.cue_lag import Lag
+from assistant.model.demonstration import Recording
 from assistant.model.settings import CueSettings
 
 _NEAR_S = 0.5
 _LEAST_BLUR_S = 0.05
+_JOGGED = 0.45
+"""Of the samples in motion: so many at one speed are those of a jogged hand, not of a free one."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,6 +38,20 @@ class Following:
 
     late_s: float
     lag: Lag
+
+
+def jogged(recording: Recording) -> bool:
+    """Tell whether the hand was led at one speed: in equal steps, or as fast as the arm goes."""
+    if len(recording.t_s) < 3:
+        return False
+    steps_s = np.maximum(np.diff(recording.t_s), 1e-3)
+    speeds = np.abs(np.diff(recording.path[:, :3], axis=0)) / steps_s[:, None]
+    moving = speeds[speeds > 0.2 * np.quantile(speeds, 0.99)]
+    if len(moving) == 0:
+        return False
+    usual = float(np.quantile(moving, 0.8))
+    fast = moving[moving > 0.3 * usual]
+    return bool(np.mean(np.abs(fast / usual - 1.0) < 0.15) > _JOGGED)
 
 
 def following(

@@ -11,7 +11,7 @@ from assistant.geometry import Array
 from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import SAME_LAG_S, Lag, estimate, modes, refined
 from assistant.learning.decoding import Lattice, Reading, decode
-from assistant.learning.following import following
+from assistant.learning.following import Following, following, jogged
 from assistant.learning.introduction import orders, other_orders
 from assistant.learning.passing import passed
 from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
@@ -120,7 +120,8 @@ def read(
         ways = _with_lags(demonstration, task, evidence, settings, cues_s, lags)
     best = max(ways, key=lambda way: way.reading.evidence + _usual(way, settings))
     best = _sure(best, ways, np.array([share for _, share in found]))
-    return replace(_refined(best, cues_s, settings.cues), alone_s=alone_s)
+    jogs = jogged(demonstration.recording)
+    return replace(_refined(best, cues_s, settings.cues, jogs), alone_s=alone_s)
 
 
 def _usual_s(task: Task, evidence: Evidence) -> float:
@@ -180,7 +181,7 @@ def _sure(best: Understood, ways: Sequence[Understood], shares: Array) -> Unders
     return replace(best, cut_chances=tuple(each.tolist()), whole_chance=min(whole, 1.0))
 
 
-def _refined(understood: Understood, cues_s: Array, given: CueSettings) -> Understood:
+def _refined(understood: Understood, cues_s: Array, given: CueSettings, jogs: bool) -> Understood:
     """Return the reading with the cuts' instants refined by the cues; their order is kept."""
     inner = np.array(understood.reading.nodes[1:-1], dtype=np.int64)
     if understood.lag is None or len(inner) == 0:
@@ -191,7 +192,9 @@ def _refined(understood: Understood, cues_s: Array, given: CueSettings) -> Under
     heard = np.array([spot.heard for spot in spots])
     shown_s, end_s = understood.at_s[inner], float(np.ptp(understood.at_s))
     seen_s, seen_blur_s, seen_acted = shown_s[~heard], blur_s[~heard], acted[~heard]
-    led = following(cues_s, seen_s, seen_blur_s, seen_acted, end_s, understood.lag, given)
+    led = Following(0.0, understood.lag)
+    if jogs:
+        led = following(cues_s, seen_s, seen_blur_s, seen_acted, end_s, understood.lag, given)
     late_s = np.where(heard, led.lag.best_s - understood.lag.best_s, np.where(acted, 0, led.late_s))
     at_s = understood.at_s.copy()
     at_s[inner] = refined(cues_s, shown_s - late_s, blur_s, led.lag)

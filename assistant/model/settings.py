@@ -227,9 +227,9 @@ class CueSettings:
     rounds: int = 1
     """How often the lag is told anew from the cuts it helped to find."""
     lates_s: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.5)
-    """How late a hand may follow the teacher who leads it, by keys or through another arm."""
-    late_share: float = 0.2
-    """Of teachers whose hand follows late, by whichever of these."""
+    """How late a hand may follow the teacher who jogs it, by keys."""
+    late_share: float = 0.5
+    """Of jogging teachers whose hand follows late, by whichever of these."""
 
 
 @dataclass(frozen=True, slots=True)

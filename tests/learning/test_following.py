@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from assistant.learning.cue_lag import Lag
-from assistant.learning.following import Following, following
+from assistant.learning.following import Following, following, jogged
 from assistant.model.settings import CueSettings
+from tests.generators import generator_a, generator_b
 
 MEANT_S = np.array([3.0, 5.0, 8.0, 9.0, 12.0, 15.0, 16.0, 19.0])
 ACTED = np.array([False, True, False, False, True, False, True, False])
@@ -51,3 +52,11 @@ def test_without_both_kinds_of_cuts_nothing_is_told(
     at_s = np.array([1.0, 2.0, 3.0])
     found = following(at_s + 0.5, at_s, np.full(3, 0.1), acted, 4.0, lag, CueSettings())
     assert (found.late_s, found.lag) == (0.0, lag)
+
+
+@pytest.mark.parametrize("seed", range(70_050, 70_053))
+def test_a_hand_that_is_jogged_is_told_from_one_that_is_not(seed: int) -> None:
+    for generate in (generator_a.generate, generator_b.generate):
+        assert jogged(generate(seed, "keys").demonstration.recording)
+        assert not jogged(generate(seed, "fluent").demonstration.recording)
+        assert not jogged(generate(seed, "slow").demonstration.recording)
