@@ -30,7 +30,7 @@ QUESTIONS = (
     (TALK[3][0], "Stimmt das"),
     ("ja", "Bist du bereit"),
     ("ja", "DATEI"),
-    ("scripted hand 4", "Ich denke"),
+    ("fertige hand 4", "Ich denke"),
 )
 AFTER = [r"anfangen\?", "weglassen", "verschieben"]
 
