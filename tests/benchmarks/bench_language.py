@@ -35,7 +35,7 @@ FILES = (
     *("tuning", *(f"tuning{number}" for number in range(2, 12))),
     *("stress1", "stress2", "ways"),
 )
-FRESH = tuple(f"talk{number}" for number in range(1, 9))
+FRESH = tuple(f"talk{number}" for number in range(1, 11))
 """Written from the contract alone, by speakers who knew nothing of the rules."""
 SURE = 0.85
 _ANY = "*"
@@ -76,7 +76,7 @@ def _act(told: str) -> dict[str, Any]:
 
 def _value(act: str, key: str, value: str) -> Any:
     listed = key in ("position_mm", "rpy_deg", "by_mm", "subtasks")
-    if listed or (act == "inform" and ", " in value):
+    if listed or (act == "inform" and "," in value):
         return [_scalar(part.strip()) for part in value.split(",") if part.strip()]
     return _scalar(value)
 
