@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
+from math import inf
 
 import numpy as np
 
@@ -25,6 +26,9 @@ from assistant.shells.voice.sound import RATE_HZ, Samples
 from assistant.shells.voice.weighing import length_penalty, weighed
 from assistant.shells.voice.wording import wording
 
+LOUD_DB = 22.0
+"""Where speech stands out of the room less, a second opinion is always asked for, and recognizers
+take all care."""
 SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
 ALIKE = 8
 ALIKE_TO = 3
@@ -62,8 +66,8 @@ class Said:
     phrases : sequence of str
         What may well be said now.
     listening : Listening
-    loud : bool
-        Whether the room is.
+    clear_db : float
+        How far the speech stands out of the room.
     """
 
     samples: Samples
@@ -71,7 +75,12 @@ class Said:
     readings: Sequence[Reading]
     phrases: Sequence[str]
     listening: Listening
-    loud: bool = False
+    clear_db: float = inf
+
+    @property
+    def loud(self) -> bool:
+        """Whether the room is."""
+        return self.clear_db < LOUD_DB
 
     @property
     def texts(self) -> tuple[str, ...]:
@@ -140,7 +149,7 @@ class Chooser:
             meant=surely,
             worded=self._worded(text for text in told if text not in phrases),
         )
-        return decided(shares, lambda text: meant[text])
+        return decided(shares, lambda text: meant[text], said.clear_db)
 
     def _meaning(self, text: str, listening: Listening) -> Understanding:
         said = written(text, listening.asked, self._language)

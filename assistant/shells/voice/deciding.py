@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from math import inf
 
 from assistant.language.answers import OPEN
 from assistant.model import teacher_acts as acts
@@ -43,7 +44,9 @@ RIVAL_SHARE = 0.25
 so likely have meant something else."""
 MOST_STEPS = 9
 """A number of steps that nobody would expect is asked about."""
-WORST = 4.0
+WORST = ((10.0, 3.0), (17.0, 4.0))
+"""How far speech stands out of the room in dB, and how unlikely it may be: in a loud room what
+was not said is taken for speech more easily."""
 WORST_WORD = (1.0, 1.5)
 ALONE_SHARE = 0.95
 """Less likely than this, and less by each word, it is asked about at most; where hardly anything
@@ -146,11 +149,22 @@ class Reading:
         return answers(self.meant)
 
 
-def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding]) -> Heard:
+def decided(
+    found: Sequence[Candidate], meaning: Callable[[str], Understanding], clear_db: float = inf
+) -> Heard:
     """Return what weighed candidates come to: surely, to be asked about, or nothing.
 
     Candidates that mean the same vote together. Free words are one meaning however they are
     spelled: the likeliest spelling is taken.
+
+    Parameters
+    ----------
+    found : sequence of Candidate
+        The likeliest first.
+    meaning : callable
+        What words mean here.
+    clear_db : float
+        How far the speech stands out of the room: in a loud one more is asked about.
     """
     read = [Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
     votes: dict[tuple[object, ...], float] = {}
@@ -165,7 +179,7 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
     candidate = next(one for one in found if one.text == chosen.text)
     fit = candidate.fit
     alone = votes[acted] >= ALONE_SHARE
-    worst = -(WORST + WORST_WORD[alone] * len(chosen.text.split()))
+    worst = -(_worst(clear_db) + WORST_WORD[alone] * len(chosen.text.split()))
     if fit < worst - HOPELESS:
         return nothing_heard(chosen.text)
     rival = max((share for kind, share in votes.items() if kind != acted), default=0.0)
@@ -183,6 +197,12 @@ def decided(found: Sequence[Candidate], meaning: Callable[[str], Understanding])
         and (chosen.commands or chosen.meant.confidence < SURE)
     )
     return as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def _worst(clear_db: float) -> float:
+    (low_db, least), (high_db, most) = WORST
+    share = min(max((clear_db - low_db) / (high_db - low_db), 0.0), 1.0)
+    return least + share * (most - least)
 
 
 def _best_of(alike: Sequence[Reading]) -> Reading:

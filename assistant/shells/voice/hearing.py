@@ -18,7 +18,7 @@ from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Stop, Unknown
-from assistant.shells.voice.choosing import Chooser, Said, rivals
+from assistant.shells.voice.choosing import LOUD_DB, Chooser, Said, rivals
 from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
@@ -38,8 +38,6 @@ from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
 from assistant.shells.voice.repairing import written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
-CLEAR_DB = 22.0
-"""In a louder room a second opinion is always asked for, and recognizers take all care."""
 QUICK = 0.5
 """What the quickest recognizer's reading weighs beside those of another."""
 NEAR = 0.35
@@ -96,7 +94,7 @@ class Hearing:
     def _heard(self, samples: Samples, listening: Listening) -> Heard:
         phrases = expected(listening, self._language)
         near_by = foreground(samples)
-        loud = near_by.clear_db < CLEAR_DB
+        loud = near_by.clear_db < LOUD_DB
         samples = _long_enough(near_by.samples)
         readings: list[Reading] = []
         for recognizer in self._recognizers:
@@ -108,7 +106,7 @@ class Hearing:
             if not last and not loud and read and trusted(read[0], listening):
                 return as_heard(read[0], 1.0)
             readings += read
-        said = Said(samples, near_by.speech_s, readings, phrases, listening, loud)
+        said = Said(samples, near_by.speech_s, readings, phrases, listening, near_by.clear_db)
         return self._settled(said)
 
     def _settled(self, said: Said) -> Heard:
