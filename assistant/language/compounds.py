@@ -10,6 +10,7 @@ from assistant.language.located import correction
 from assistant.language.merging import CORRECTIONS, merged
 from assistant.language.parsing import (
     ACTING,
+    AGAIN,
     LIKELY,
     SURE,
     Hearing,
@@ -182,7 +183,9 @@ def once_more(words: Words, hearing: Hearing) -> Parse | None:
         if parse is None or parse.score < LIKELY:
             parse = compound(rest, hearing) if rest else None
         if parse is not None and parse.score >= LIKELY and isinstance(parse.acts[0], CORRECTIONS):
-            return Parse((*parse.acts, Again()), parse.score)
+            plain = parse.how in ("sentence", "motion") and len(parse.acts) == 1
+            how = AGAIN if plain else parse.how
+            return Parse((*parse.acts, Again()), parse.score, how)
     return None
 
 

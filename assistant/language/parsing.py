@@ -12,6 +12,9 @@ from assistant.model.teacher_acts import TeacherAct
 
 SURE, LIKELY, ACTING, GUESSED, NAMED, DOUBTFUL, GUESS = 0.96, 0.9, 0.85, 0.8, 0.78, 0.6, 0.4
 
+AGAIN = "again"
+"""How a correction is read that is to be tried at once."""
+
 
 @dataclass(frozen=True, slots=True)
 class Parse:
@@ -23,8 +26,8 @@ class Parse:
 
     @property
     def exact(self) -> bool:
-        """Whether it is one whole sentence of the phrasebook, or a no with what is wanted."""
-        return self.how == "denied" or self._whole
+        """Whether it is one whole sentence of the phrasebook, or one with a no or an again."""
+        return self.how in ("denied", AGAIN) or self._whole
 
     @property
     def _whole(self) -> bool:

@@ -87,7 +87,7 @@ def _nearest(text: str, known: frozenset[str], little: LittleWords) -> str:
 def _corrected(text: str, known: frozenset[str]) -> str:
     """Return the one word of the vocabulary that a slip makes a text of; itself if none is."""
     far = 1 if len(text) < 7 else 2
-    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=6)
+    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=None)
     letters = sorted(text)
     ranked = sorted(
         (_strangeness(text, word, distance, letters), word)
@@ -161,7 +161,7 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
 @lru_cache(maxsize=4096)
 def _sounding(text: str, known: frozenset[str]) -> str:
     far = 1 if len(text) < 6 else 2
-    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=8)
+    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=None)
     sound = _sound(text)
     alike = [
         (distance, word) for word, distance, _ in near if len(word) > 3 and _sound(word) == sound

@@ -104,6 +104,16 @@ def test_a_guess_is_never_sure() -> None:
     assert meant.confidence < 0.85
 
 
+@pytest.mark.parametrize(
+    "text", ["again, more left", "again, slower", "up two centimeters and once more"]
+)
+@pytest.mark.parametrize("asked", [None, "satisfied"])
+def test_a_correction_to_be_tried_at_once_is_sure(text: str, asked: Any) -> None:
+    meant = understand(text, Listening(stage="practice", asked=asked))
+    assert meant.confidence >= 0.85
+    assert [act_to_json(act)["act"] for act in meant.acts][1:] == ["again"]
+
+
 @pytest.mark.parametrize("stage", STAGES)
 def test_no_chat_is_acted_on(stage: Any) -> None:
     talk = cast("dict[str, str]", read_file(CORPUS / "chat.yaml")[0].value)["chat"].splitlines()
