@@ -20,6 +20,7 @@ from assistant.language.parsing import (
 from assistant.language.tags import tags_of
 from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import (
+    AdjustSpeed,
     Affirm,
     Again,
     Deny,
@@ -27,15 +28,18 @@ from assistant.model.teacher_acts import (
     Pause,
     Redo,
     Resume,
+    Rotate,
     Start,
     Stop,
     TeacherAct,
+    Translate,
     Undo,
     Unknown,
 )
 
 _AMONG_TALK = (*CORRECTIONS, Again, NewSetup, Pause, Redo, Resume, Start, Undo)
 _IDLE = (Unknown, Affirm, Deny)
+_PLAIN = (AdjustSpeed, Rotate, Translate)
 
 
 def compound(words: Words, hearing: Hearing) -> Parse | None:
@@ -183,8 +187,9 @@ def once_more(words: Words, hearing: Hearing) -> Parse | None:
         if parse is None or parse.score < LIKELY:
             parse = compound(rest, hearing) if rest else None
         if parse is not None and parse.score >= LIKELY and isinstance(parse.acts[0], CORRECTIONS):
-            plain = parse.how in ("sentence", "motion") and len(parse.acts) == 1
-            how = AGAIN if plain else parse.how
+            # "Repeat it one more time" asks for no more of the last correction.
+            plain = parse.how in ("sentence", "motion") and isinstance(parse.acts[0], _PLAIN)
+            how = AGAIN if plain and len(parse.acts) == 1 else parse.how
             return Parse((*parse.acts, Again()), parse.score, how)
     return None
 

@@ -114,6 +114,11 @@ def test_a_correction_to_be_tried_at_once_is_sure(text: str, asked: Any) -> None
     assert [act_to_json(act)["act"] for act in meant.acts][1:] == ["again"]
 
 
+def test_one_more_time_is_no_more_of_the_last_correction() -> None:
+    meant = understand("repeat it one more time please", Listening(stage="practice"))
+    assert meant.confidence < 0.85 or [act_to_json(act)["act"] for act in meant.acts] == ["again"]
+
+
 @pytest.mark.parametrize("stage", STAGES)
 def test_no_chat_is_acted_on(stage: Any) -> None:
     talk = cast("dict[str, str]", read_file(CORPUS / "chat.yaml")[0].value)["chat"].splitlines()
