@@ -15,7 +15,7 @@ import json
 import math
 import pickle
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -74,19 +74,32 @@ def lines(folds: int = FOLDS) -> Iterator[Line]:
             patch.object(likelihood, "model", lambda language, kept=acts: kept),
             patch("assistant.language.learned.chain", lambda language, kept=slots: kept),
         ):
-            yield from _read(held, first)
+            yield from readings(FRESH, held, first)
         print(f"  {fold + 1} of {folds} shares", flush=True)
 
 
-def _read(held: set[str], first: Mapping[str, Any]) -> Iterator[Line]:
-    book = phrasebook()
-    for file in FRESH:
+def readings(
+    files: Iterable[str], held: Collection[str], first: Mapping[str, Any], language: str = "english"
+) -> Iterator[Line]:
+    """Yield the sentences of held speakers that are not plain, with their readings.
+
+    Parameters
+    ----------
+    files : iterable of str
+    held : collection of str
+        Speakers, each with the file.
+    first : mapping
+        What the rules read at first, by sentence, stage and question.
+    language : str
+    """
+    book = phrasebook(language)
+    for file in files:
         for row in rows(f"{file}.yaml"):
             told = first.get(f"{row.text}|{row.listening.stage}|{row.listening.asked}")
             words = prepared(row.text, row.listening, book)
             if f"{file}/{row.speaker}" not in held or told is None or not words:
                 continue
-            hearing = Hearing(book, row.listening)
+            hearing = Hearing(book, row.listening, language)
             before, weighed = (
                 Parse(tuple(act_from_json(a) for a in acts), score, how)
                 for acts, score, how in told
@@ -150,7 +163,8 @@ def _named(names: Sequence[str], values: Array) -> dict[str, float]:
     return {name: round(float(value), 3) for name, value in zip(names, values, strict=True)}
 
 
-def _chosen(lines: Sequence[Line], choice: dict[str, float]) -> list[tuple[Looks, bool]]:
+def chosen(lines: Sequence[Line], choice: Mapping[str, float]) -> list[tuple[Looks, bool]]:
+    """Return what choices look like, and which are right."""
     found = []
     for line in lines:
         ranked = ranking(line.pool, choice)
@@ -172,7 +186,7 @@ def withheld(lines: Sequence[Line], count: int = INNER) -> list[tuple[Looks, boo
     found = []
     for fold in range(count):
         choice = choice_of([one for one, n in zip(lines, folds, strict=True) if n != fold])
-        found += _chosen([one for one, n in zip(lines, folds, strict=True) if n == fold], choice)
+        found += chosen([one for one, n in zip(lines, folds, strict=True) if n == fold], choice)
     return found
 
 
@@ -186,7 +200,7 @@ def report(lines: Sequence[Line]) -> tuple[Array, NDArray[np.bool_]]:
         here = [one for one, n in zip(lines, folds, strict=True) if n == fold]
         inner = withheld(others, INNER - 1)
         weights = sureness_of([a for a, _ in inner], [b for _, b in inner])
-        for looks, fits in _chosen(here, choice_of(others)):
+        for looks, fits in chosen(here, choice_of(others)):
             odds = sum(weights.get(name, 0.0) * value for name, value in looks.items())
             shares.append(1 / (1 + math.exp(-odds)))
             right.append(fits)
@@ -200,11 +214,11 @@ def report(lines: Sequence[Line]) -> tuple[Array, NDArray[np.bool_]]:
     return told, good
 
 
-def sure_at(told: Array, right: NDArray[np.bool_]) -> float:
-    """Return the least probability from which few enough choices are wrong."""
+def sure_at(told: Array, right: NDArray[np.bool_], most: float = WRONG) -> float:
+    """Return the least probability from which no larger share of all is wrong."""
     order = np.argsort(-told)
     wrong = np.cumsum(~right[order]) / len(told)
-    few = np.flatnonzero(wrong <= WRONG)
+    few = np.flatnonzero(wrong <= most)
     return round(float(told[order][few[-1]]), 4) if len(few) else 0.99
 
 

@@ -22,20 +22,15 @@ import numpy as np
 from scipy.optimize import minimize
 
 from assistant.language import choosing, likelihood, tagging
-from assistant.language.choosing import candidates, plain, ranking, sure_looks
 from assistant.language.little_words import LANGUAGES
 from assistant.language.looks import Looks
-from assistant.language.parsing import Hearing, Parse
+from assistant.language.parsing import Hearing
 from assistant.language.phrasebook import phrasebook
 from assistant.language.repair import respelled
-from assistant.language.seeking import chances_of
 from assistant.language.tagging import Chain
 from assistant.language.traits import word_traits
-from assistant.model.teacher_acts import Stop, act_from_json, act_to_json
 from tests.benchmarks import fit_language, fit_slots
-from tests.benchmarks.aligning import prepared
-from tests.benchmarks.bench_language import rows, same
-from tests.benchmarks.fit_choice import Array, Line
+from tests.benchmarks.fit_choice import Array, Line, chosen, readings, sure_at
 from tests.benchmarks.german_examples import (
     FRESH,
     LANGUAGE,
@@ -107,29 +102,8 @@ def lines() -> Iterator[Line]:
             patch.object(likelihood, "model", lambda language, kept=acts: kept),
             patch("assistant.language.learned.chain", lambda language, kept=slots: kept),
         ):
-            yield from _read(held, first)
+            yield from readings(FRESH, held, first, LANGUAGE)
         print(f"  {fold + 1} of {FOLDS} shares", flush=True)
-
-
-def _read(held: set[str], first: Mapping[str, Any]) -> Iterator[Line]:
-    book = phrasebook(LANGUAGE)
-    for file in FRESH:
-        for row in rows(f"{file}.yaml"):
-            told = first.get(f"{row.text}|{row.listening.stage}|{row.listening.asked}")
-            words = prepared(row.text, row.listening, book)
-            if f"{file}/{row.speaker}" not in held or told is None or not words:
-                continue
-            hearing = Hearing(book, row.listening, LANGUAGE)
-            before, weighed = (
-                Parse(tuple(act_from_json(a) for a in acts), score, how)
-                for acts, score, how in told
-            )
-            chances = chances_of(words, respelled(words, book, ()), hearing)
-            if plain(weighed, chances) or Stop() in weighed.acts:
-                continue
-            pool = candidates(before, weighed, words, chances, hearing)
-            right = [same(row.acts, [act_to_json(a) for a in one.acts]) for one in pool]
-            yield Line(f"{file}/{row.speaker}", row, pool, right)
 
 
 def _near(kept: Mapping[str, float], looks: Sequence[Looks], slopes: Any) -> dict[str, float]:
@@ -180,16 +154,6 @@ def sureness_of(
     return _near(kept, looks, slopes)
 
 
-def chosen(lines: Sequence[Line], choice: Mapping[str, float]) -> list[tuple[Looks, bool]]:
-    """Return what choices look like, and which are right."""
-    found = []
-    for line in lines:
-        ranked = ranking(line.pool, choice)
-        at = next(n for n, one in enumerate(line.pool) if one is ranked[0][1])
-        found.append((sure_looks(ranked), line.right[at]))
-    return found
-
-
 def withheld(lines: Sequence[Line], kept: choosing.Weights) -> list[list[tuple[Looks, bool]]]:
     """Return choices made by weights of other speakers, a list for each share of them."""
     speakers = sorted({line.speaker for line in lines})
@@ -221,9 +185,7 @@ def report(told: Array, good: Array) -> float:
     for least in (0.85, 0.9, 0.93, 0.95, 0.97):
         sure = told >= least
         print(f"  {least}: sure {sure.mean():.3f}, wrong {(sure & (good == 0)).mean():.4f}")
-    order = np.argsort(-told)
-    few = np.flatnonzero(np.cumsum(good[order] == 0) / len(told) <= WRONG)
-    return round(float(told[order][few[-1]]), 4) if len(few) else 0.99
+    return sure_at(told, good != 0, WRONG)
 
 
 def write(acts: likelihood.Model, slots: Chain, page: Mapping[str, Any], least: float) -> None:
