@@ -36,6 +36,10 @@ class Library:
         fit = re.sub(r"[^\w-]+", "_", name.strip().lower()).strip("_")[:100] or "task"
         return self.folder / f"{fit}.yaml"
 
+    def name_of(self, path: Path) -> str:
+        """Return the name of the kept task whose file this is, or nothing."""
+        return path.stem if path.parent.resolve() == self.folder.resolve() else ""
+
     def __contains__(self, name: str) -> bool:
         return self.path(name).is_file()
 

@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
+from assistant.dialogue import effects as wanted
 from assistant.dialogue import events
 from assistant.dialogue.machine import begin, listening, public_view, step
 from assistant.errors import BadInput
@@ -26,8 +27,8 @@ from assistant.model.task import Task
 from assistant.model.transcript import Note
 from assistant.ports import Hand, HandSample
 from assistant.session import halting
-from assistant.session.doing import do
-from assistant.session.equipment import DrivenHand, Equipment
+from assistant.session.doing import Workplace, do
+from assistant.session.equipment import Equipment
 from assistant.session.happenings import Store, to_step
 from assistant.session.journal import Journal
 from assistant.session.meaning import meant
@@ -37,9 +38,6 @@ from assistant.session.watching import Watching
 
 Out = Callable[[RobotAct, str], None]
 """Takes a robot line and the sentence made from it."""
-
-FEWEST_SAMPLES = 3
-"""Less is no demonstration; a recording file holds at least so many."""
 
 
 class Session:
@@ -70,24 +68,29 @@ class Session:
         *,
         fed: bool = False,
     ) -> None:
-        self.equipment = equipment
+        self.workplace = Workplace(equipment, library, Store(journal.folder))
         self.journal = journal
         self.out = out
-        self.library = library
         self.language = language
         self.fed = fed
-        self.store = Store(journal.folder)
         self.dialogue = begin(language)
-        self.mover = Mover(equipment)
         self.watching: Watching | None = None
-        self.driven: DrivenHand | None = None
         self.recordings = 0
-        self.drawn = 0
         self.left = False
         # Whether who could stop the arm still can: a shell beside it puts its heartbeat here.
         self.in_touch: Callable[[], bool] = lambda: True
         self._events: deque[events.Event] = deque()
         self._busy = self._trouble_told = False
+
+    @property
+    def equipment(self) -> Equipment:
+        """The outside of the session."""
+        return self.workplace.equipment
+
+    @property
+    def mover(self) -> Mover:
+        """What leads the arm."""
+        return self.workplace.mover
 
     @property
     def moving(self) -> bool:
@@ -100,13 +103,8 @@ class Session:
         return listening(self.dialogue)
 
     @property
-    def view(self) -> Mapping[str, Any]:
-        """Plain values of the dialogue and the arm, for transcripts and status lines."""
-        return {**self.dialogue_view, "arm": self.mover.view()}
-
-    @property
     def dialogue_view(self) -> Mapping[str, Any]:
-        """Plain values of the dialogue alone; safe to read while the arm ticks."""
+        """Plain values of the dialogue, for status lines; safe to read while the arm ticks."""
         return public_view(self.dialogue)
 
     def begin(
@@ -115,9 +113,9 @@ class Session:
         """Open the conversation, with the task of a file to go on with if one is given."""
         self.tell_trouble()
         self.mover.arrange(scene, setup)
-        kept = path is not None and path.parent.resolve() == self.library.folder.resolve()
-        saved_as = path.stem if kept and path is not None else ""
-        self.happen(events.Begun(scene, setup, task, self.library.names(), saved_as))
+        library = self.workplace.library
+        saved_as = "" if path is None else library.name_of(path)
+        self.happen(events.Begun(scene, setup, task, library.names(), saved_as))
 
     def close(self) -> None:
         """Give the journal free."""
@@ -192,13 +190,8 @@ class Session:
     def end_recording(self, *, keep: bool) -> None:
         """Take the demonstration as it is, or drop it."""
         watched, self.watching = self.watching, None
-        if watched is None or not keep:
-            return
-        if len(watched.samples) < FEWEST_SAMPLES:
-            self.happen(events.Shown(None, "too_short"))
-            return
-        source = watched.path.name if watched.path else "live"
-        self.happen(events.Shown(watched.demonstration(self.mover.setup, source)))
+        if watched is not None and keep:
+            self.happen(watched.shown(self.mover.setup))
 
     # Time.
 
@@ -244,24 +237,32 @@ class Session:
             self._busy = False
 
     def _step(self, event: events.Event) -> None:
-        self._write(event)
-        self.note(event)
+        said_s = None if self.watching is None else self.watching.said_s(event)
+        self._write(event, said_s)
+        if self.watching is not None and isinstance(event, events.Heard):
+            self.watching.hear(event.text, event.understanding, said_s)
         self.dialogue, effects = step(self.dialogue, event)
         for effect in (*effects, *self.mover.released(event)):
-            do(self, effect)
+            self.do(effect)
         self.tell_trouble()
 
-    def note(self, event: events.Event) -> None:
-        """Keep the cues and key states said while a demonstration is watched."""
-        if self.watching is not None and isinstance(event, events.Heard):
-            self.watching.hear(event.text, event.understanding, self._said_s(event))
-
-    def _said_s(self, event: events.Event) -> float | None:
-        """Return when a cue's first word began, on the recording's clock."""
-        if self.watching is None:
-            return None
-        ago_s = event.ago_s if isinstance(event, events.Heard) else 0.0
-        return max(self.watching.now_s - ago_s, 0.0)
+    def do(self, effect: wanted.Effect) -> None:
+        """Carry out one effect; where results are fed back, only what is said."""
+        match effect:
+            case wanted.Say():
+                self.say(effect.line)
+            case wanted.Leave():
+                self.left = True
+            case _ if self.fed:
+                return
+            case wanted.Record():
+                self.record()
+            case wanted.EndRecording():
+                self.end_recording(keep=effect.keep)
+            case _:
+                result = do(self.workplace, self.dialogue, effect)
+                if result is not None:
+                    self.happen(result)
 
     def say(self, line: RobotAct) -> None:
         """Journal a robot line, then say it."""
@@ -285,11 +286,11 @@ class Session:
         """Return the sentence for a line."""
         return phrase(line, self.language, brief=self.dialogue.brief)
 
-    def _write(self, event: events.Event) -> None:
+    def _write(self, event: events.Event, said_s: float | None) -> None:
         if self.journal.trouble:
             return
         try:
-            made = to_step(event, self.store, self._said_s(event))
+            made = to_step(event, self.workplace.store, said_s)
         except (OSError, BadInput) as error:
             self.journal.fail(error)
             return

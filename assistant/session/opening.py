@@ -20,7 +20,6 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.transcript import Happened, Restart, SetupChoice, Transcript
 from assistant.session import halting
-from assistant.session.doing import do
 from assistant.session.equipment import EquipmentMaker
 from assistant.session.journal import Journal
 from assistant.session.loop import Out, Session
@@ -127,7 +126,7 @@ def resume_session(opening: Opening, name: str) -> Session:
     journal = Journal(opening.sessions / name)
     past = journal.resume()
     session = _session(opening, journal, past, fed=False)
-    session.store.learn_names()
+    session.workplace.store.learn_names()
     if not any(isinstance(step, Happened) for step in past.steps):
         _begin_anew(session, past)
         return session
@@ -148,7 +147,7 @@ def _go_on(session: Session, fed: Fed) -> None:
     session.tell_trouble()
     _tell_resumed(session, fed)
     for owed in (*fed.lines, *fed.owed):
-        do(session, owed)
+        session.do(owed)
     if motion_pending(session):
         session.happen(events.Halted(halting.INTERRUPTED))
 

@@ -165,7 +165,7 @@ class Player:
             raise _Differs(found)
 
     def _compare(self, step: Expect) -> None:
-        view = self.session.view
+        view = {**self.session.dialogue_view, "arm": self.session.mover.view()}
         for path, value in step.values.items():
             why = difference(value, look_up(view, path))
             if why:

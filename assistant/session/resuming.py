@@ -118,7 +118,7 @@ def _settle(session: Session, fed: Fed, event: events.Event) -> None:
     answered = next((one for one in fed.owed if isinstance(event, ANSWERS[type(one)])), None)
     if answered is not None:
         fed.owed.remove(answered)
-        session.drawn += isinstance(answered, wanted.Arrange)
+        session.workplace.drawn += isinstance(answered, wanted.Arrange)
     match event:
         case events.Begun() | events.Arranged() | events.Checked(refusal=None):
             session.mover.setup = event.setup

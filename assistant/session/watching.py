@@ -13,6 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
+from assistant.dialogue.events import Event, Heard, Shown
+from assistant.files.recordings import FEWEST_SAMPLES
 from assistant.geometry import Array
 from assistant.model.demonstration import Demonstration, Recording, Spoken
 from assistant.model.listening import Understanding
@@ -45,6 +47,11 @@ class Watching:
     def now_s(self) -> float:
         """The recording's clock."""
         return self.samples[-1].t_s if self.samples else 0.0
+
+    def said_s(self, event: Event) -> float:
+        """Return when words began on the recording's clock; anything else happens now."""
+        ago_s = event.ago_s if isinstance(event, Heard) else 0.0
+        return max(self.now_s - ago_s, 0.0)
 
     def go_on(self) -> None:
         """Let the next hand's clock continue where the last one's ended."""
@@ -86,8 +93,14 @@ class Watching:
                 file.write(columns + "\n")
             file.write(",".join(repr(number) for number in numbers) + "\n")
 
+    def shown(self, setup: Setup) -> Shown:
+        """Return what was shown as an event; too few samples are no demonstration."""
+        if len(self.samples) < FEWEST_SAMPLES:
+            return Shown(None, "too_short")
+        return Shown(self.demonstration(setup, self.path.name if self.path else "live"))
+
     def demonstration(self, setup: Setup, source: str) -> Demonstration:
-        """Return what was shown."""
+        """Return what has been seen and heard so far."""
         return Demonstration(
             recording(self.samples), tuple(self.cues), tuple(self.key_states), setup, source=source
         )

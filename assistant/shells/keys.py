@@ -121,11 +121,11 @@ class Driving:
 
     def run(self) -> None:
         """Drive until the demonstration is over."""
-        self._session.driven = self._hand
+        self._session.workplace.driven = self._hand
         try:
             self._app.run(pre_run=self._begin)
         finally:
-            self._session.driven = None
+            self._session.workplace.driven = None
         if self._error is not None:
             raise self._error
 

@@ -126,7 +126,7 @@ class Lesson:
                     self._show(step)
                 case _:
                     pass
-        view = dict(self.session.view)
+        view = dict(self.session.dialogue_view)
         self.session.close()
         return view
 

@@ -30,6 +30,13 @@ def test_a_kept_task_comes_back_under_its_name(kept: Library) -> None:
     assert same(kept.load("pick_place"), task(lesson()))
 
 
+def test_the_file_of_a_kept_task_tells_its_name_and_no_other_file_does(
+    kept: Library, tmp_path: Path
+) -> None:
+    assert kept.name_of(kept.path("stacking")) == "stacking"
+    assert kept.name_of(tmp_path / "elsewhere" / "stacking.yaml") == ""
+
+
 def test_saving_over_another_task_needs_to_be_said_and_keeps_the_old_one(kept: Library) -> None:
     first, second = task(), replace(task(), goal="another")
     kept.save("it", first)
