@@ -13,18 +13,15 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from assistant.geometry import Array, compose, quat_to_matrix
+from assistant.geometry import Array, quat_to_matrix
 from assistant.model.scene import Scene
 from sim import a465
 from sim.a465 import GRIPPER
 from sim.kinematics import Flags, arm_points, forward
-from sim.shapes import Boxes, body_box, box_at, boxes_apart, obstacle_box, segment_apart
+from sim.resting import CLEARANCE_M, Carried, Standing
+from sim.shapes import Boxes, box_at, boxes_apart, obstacle_box, segment_apart
 from sim.urdf import PAD_ROLL_RAD
 
-CLEARANCE_M = 0.003
-"""Arm and hand keep at least this far from everything."""
-CARRIED_SLACK_M = 0.0015
-"""What is carried rests on tables: it may touch, not sink in."""
 BESIDE_M = 0.001
 """It keeps at least this far from other bodies, but from the one it is put on."""
 FAR = 1.0
@@ -40,34 +37,6 @@ FINGER_TALL_M = GRIPPER.finger_m[0] * np.sin(PAD_ROLL_RAD) + GRIPPER.finger_m[2]
 Indices = NDArray[np.int64]
 
 _BASE_POSE = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0])
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Standing:
-    """A thing the arm must not touch.
-
-    Parameters
-    ----------
-    name : str
-    box : Boxes
-        At one place.
-    beside_m : float
-        How far what is carried keeps from it; less than 0 where that may rest on it.
-    """
-
-    name: str
-    box: Boxes
-    beside_m: float = -CARRIED_SLACK_M
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Carried:
-    """A body in the hand: its box and where its base's middle is, seen from the flange."""
-
-    name: str
-    in_hand: Array
-    middle: Array
-    size: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,9 +68,9 @@ def fixed_things(scene: Scene) -> tuple[Standing, ...]:
     radius, height = a465.BASE_RADIUS_M, a465.BASE_M - a465.BASE_RADIUS_M
     base = box_at(_BASE_POSE, (0.0, 0.0, height / 2), (1.7 * radius, 1.7 * radius, height))
     floor = box_at(_BASE_POSE, (0.0, 0.0, -0.5), (4.0, 4.0, 1.0))
-    things = [Standing("floor", floor), Standing("base", base, CLEARANCE_M)]
-    things += [Standing(table.name, obstacle_box(table)) for table in scene.tables]
-    things += [Standing(one.name, obstacle_box(one), CLEARANCE_M) for one in scene.obstacles]
+    things = [Standing("floor", floor, bears=True), Standing("base", base)]
+    things += [Standing(table.name, obstacle_box(table), bears=True) for table in scene.tables]
+    things += [Standing(one.name, obstacle_box(one)) for one in scene.obstacles]
     return tuple(things)
 
 
@@ -112,6 +81,7 @@ def touches(
     carried: Carried | None = None,
     allowed: Mapping[tuple[str, str], Flags] | None = None,
     excused: Mapping[tuple[str, str], float] | None = None,
+    resting: Flags | None = None,
 ) -> Touch:
     """Return how near a path of the joints comes to anything.
 
@@ -127,9 +97,11 @@ def touches(
         ``carried``.
     excused : mapping of (part, thing) to float
         By how much these were too near already where the arm stands: they may not come nearer.
+    resting : flags, shape (m,), optional
+        Samples at which what is carried may rest on what bears it.
     """
     least, part, thing = np.full(len(q), FAR), "", ""
-    for where, what, gap in _gaps(_parts(q, gripper_m, carried), things):
+    for where, what, gap in _gaps(_parts(q, gripper_m, carried), things, carried, resting):
         permitted = (allowed or {}).get((where, what))
         gap = gap + (excused or {}).get((where, what), 0.0)
         gap = gap if permitted is None else np.where(permitted, FAR, gap)
@@ -145,7 +117,7 @@ def too_near(
     """Return which parts are too near which things for joints, shape (6,), and by how much."""
     parts = _parts(q[None], np.array([gripper_m]), carried)
     found: dict[tuple[str, str], float] = {}
-    for part, thing, gap in _gaps(parts, things):
+    for part, thing, gap in _gaps(parts, things, carried):
         if gap[0] < 0.0:
             found[part, thing] = max(found.get((part, thing), 0.0), EXCUSED_M - float(gap[0]))
     return found
@@ -183,7 +155,7 @@ def _parts(q: Array, gripper_m: Array, carried: Carried | None) -> list[_Part]:
     parts.append(_Part("palm", palm.center, still, palm.radius, palm))
     parts += [_Part("fingers", box.center, still, box.radius, box) for box in fingers]
     if carried is not None:
-        held = box_at(compose(poses, carried.in_hand), carried.middle, carried.size)
+        held = carried.box(poses)
         parts.append(_Part("carried", held.center, still, held.radius, held))
     return parts
 
@@ -199,13 +171,20 @@ def _hand(poses: Array, gripper_m: Array) -> tuple[Boxes, list[Boxes]]:
     return palm, [Boxes(between + side * aside, turn, half) for side in (1.0, -1.0)]
 
 
-def _gaps(parts: list[_Part], things: tuple[Standing, ...]) -> Iterator[tuple[str, str, Array]]:
+def _gaps(
+    parts: list[_Part],
+    things: tuple[Standing, ...],
+    carried: Carried | None,
+    resting: Flags | None = None,
+) -> Iterator[tuple[str, str, Array]]:
     far = _bounds(parts, things)
     for k, part in enumerate(parts):
         for j, thing in enumerate(things):
             # The upper arm turns on the base; what lies under the base's rim is out of reach.
             if not (k == 0 and thing.name in ("base", "floor")):
-                keeps = thing.beside_m if part.name == "carried" else CLEARANCE_M
+                keeps: Array = np.full(len(part.middle), CLEARANCE_M)
+                if carried is not None and part.name == "carried":
+                    keeps = carried.keeps(part.middle, thing, resting)
                 yield part.name, thing.name, _refined(far[k, j], part, thing.box, keeps)
     for part in parts[3:]:
         for name, link in (("upper arm", parts[0]), ("forearm", parts[1])):
@@ -226,11 +205,11 @@ def _bounds(parts: list[_Part], things: tuple[Standing, ...]) -> Array:
     return np.asarray(np.sqrt(np.einsum("...k,...k->...", outside, outside)) - radius)
 
 
-def _refined(bound: Array, part: _Part, thing: Boxes, keeps: float) -> Array:
+def _refined(bound: Array, part: _Part, thing: Boxes, keeps: Array) -> Array:
     gap = bound - keeps
     near = np.flatnonzero(gap < NEAR_M)
     if len(near):
-        gap[near] = part.gap(thing, near) - keeps
+        gap[near] = part.gap(thing, near) - keeps[near]
     return np.asarray(gap)
 
 
@@ -241,13 +220,4 @@ def _self_gap(part: _Part, link: _Part) -> Array:
     gap = np.asarray(apart - long - link.radius - part.radius)
     if part.box is None:
         return gap - CLEARANCE_M
-    return _refined(gap, link, part.box, CLEARANCE_M)
-
-
-def carried_body(scene: Scene, name: str, in_hand: Array) -> Carried | None:
-    """Return a body of the scene as carried, its base at `in_hand`; None if it has no shape."""
-    body = scene.bodies.get(name)
-    if body is None:
-        return None
-    box = body_box(body, _BASE_POSE)
-    return Carried(name, in_hand, box.center[0], 2 * box.half)
+    return _refined(gap, link, part.box, np.full(len(gap), CLEARANCE_M))

@@ -28,7 +28,6 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
 from sim.branches import STRAIGHT_RAD
-from sim.collision import Standing
 from sim.driving import TIP, Asked, Driven, Pace, driven, stepped
 from sim.fine_path import FinePath
 from sim.kinematics import (
@@ -182,7 +181,7 @@ def _around(scene: Scene, setup: Setup, look: ArmLook) -> Phase:
     around = phases(here, scene, setup, look)[0]
     # Nobody knows yet what the teacher will put a body on: it may come to rest on any other.
     known = scene.bodies
-    things = [Standing(t.name, t.box) if t.name in known else t for t in around.things]
+    things = [replace(t, bears=True) if t.name in known else t for t in around.things]
     return replace(around, things=tuple(things))
 
 

@@ -14,18 +14,10 @@ from assistant.model.motion import HandStop, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
-from sim.collision import (
-    BESIDE_M,
-    Carried,
-    Standing,
-    Touch,
-    carried_body,
-    fixed_things,
-    too_near,
-    touches,
-)
+from sim.collision import BESIDE_M, Touch, fixed_things, too_near, touches
 from sim.fine_path import FinePath
 from sim.kinematics import Flags
+from sim.resting import Carried, Standing, carried_body
 from sim.shapes import body_box, boxes_apart
 from sim.touching import contents, push_begin, pushed, pushes
 
@@ -50,17 +42,27 @@ class Phase:
 
     def touches(self, q: Array, gripper_m: Array, samples: NDArray[np.int64]) -> Touch:
         """Return how near joints, shape (m, 6), at samples of the path come to anything."""
-        allowed = self._allowed(samples)
-        return touches(q, gripper_m, self.things, self.carried, allowed, self.excused)
+        allowed, resting = self._allowed(samples), self._resting(samples)
+        return touches(q, gripper_m, self.things, self.carried, allowed, self.excused, resting)
 
     def gap(self, gripper_m: float) -> Callable[[Array], Array]:
-        """Return how far joints, shape (m, 6), are from touching anything at all, shape (m,)."""
+        """Return how far joints, shape (m, 6), are from touching anything at all, shape (m,).
+
+        On a free way; what was carried there may rest where it was taken up.
+        """
 
         def apart(q: Array) -> Array:
             opening = np.full(len(q), gripper_m)
             return touches(q, opening, self.things, self.carried, None, self.excused).gap
 
         return apart
+
+    def _resting(self, samples: NDArray[np.int64]) -> Flags:
+        # Where it is taken up or put down, and where it is at first and in the end.
+        resting = (samples <= self.first) | (samples >= self.last)
+        for stop in self.stops:
+            resting |= (samples >= stop.docking_at) & (samples <= stop.left_at)
+        return resting
 
     def _allowed(self, samples: NDArray[np.int64]) -> dict[tuple[str, str], Flags]:
         allowed: dict[tuple[str, str], Flags] = {}
@@ -139,6 +141,9 @@ def phases(
         last = stop.at if stop else len(fine.u_s) - 1
         things = fixed + _standing(scene, bodies, held)
         carried = carried_body(scene, held, in_hand) if held else None
+        if carried is not None:
+            begin = fine.poses[first] if look is None or first else look.hand
+            carried = carried.rested(np.stack([begin, fine.poses[last]]), things)
         excused: Mapping[tuple[str, str], float] = {}
         if look is not None and first == 0:
             excused = too_near(look.q, look.gripper_m, things, carried)

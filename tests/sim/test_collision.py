@@ -9,16 +9,9 @@ from assistant.geometry import Array, inverse, pose_from_mm_deg
 from assistant.model.scene import Body, Obstacle, Scene
 from sim import a465
 from sim.a465 import GRIPPER
-from sim.collision import (
-    CLEARANCE_M,
-    FINGER_TALL_M,
-    Touch,
-    carried_body,
-    fixed_things,
-    too_near,
-    touches,
-)
+from sim.collision import FINGER_TALL_M, Touch, fixed_things, too_near, touches
 from sim.kinematics import forward, inverse_all, within_limits
+from sim.resting import CLEARANCE_M, carried_body
 from sim.urdf import PAD_ROLL_RAD
 from tests.sim.hand_paths import scene
 
@@ -51,11 +44,15 @@ def test_a_carried_block_may_rest_on_the_table_but_not_sink_in() -> None:
     carried = carried_body(scene(), "block", inverse(block.hand_in_body))
     things = fixed_things(scene())
 
-    def at(z: float) -> Touch:
-        return touches(joints(533.0, 270.0, z), np.array([0.04]), things, carried)
+    def at(z: float, *, resting: bool) -> Touch:
+        q, rests = joints(533.0, 270.0, z), np.array([resting])
+        return touches(q, np.array([0.04]), things, carried, resting=rests)
 
-    assert at(300.0).free
-    assert (at(296.0).part, at(296.0).thing) == ("carried", "table")
+    assert at(300.0, resting=True).free
+    assert not at(300.0, resting=False).free
+    assert at(300.0 + 1000.0 * CLEARANCE_M + 1e-6, resting=False).free
+    sunk = at(296.0, resting=True)
+    assert (sunk.part, sunk.thing) == ("carried", "table")
 
 
 def test_a_carried_block_keeps_clear_of_an_obstacle_it_could_rest_on() -> None:
