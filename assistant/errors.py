@@ -7,8 +7,12 @@ and what would be right.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+
+_CONTROL = re.compile("[\x00-\x1f\x7f-\x9f\u2028\u2029]")
+"""Signs that would break a message in two or move the cursor: a file's name may have them."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +35,8 @@ class Problem:
 
     def __str__(self) -> str:
         told = f"{self.where}: {self.what}" if self.where else self.what
-        return f"{told}; {self.right}" if self.right else told
+        told = f"{told}; {self.right}" if self.right else told
+        return _CONTROL.sub(lambda sign: repr(sign.group())[1:-1], told)
 
 
 class AssistantError(Exception):

@@ -15,6 +15,7 @@ import traceback
 from collections.abc import Sequence
 from typing import NoReturn
 
+from assistant.cli import streams
 from assistant.errors import AssistantError, BadInput, WorkFailed
 
 DONE, FAILED, BAD_INPUT = 0, 1, 2
@@ -47,6 +48,11 @@ class Parser(argparse.ArgumentParser):
         """Say what is wrong and where help is, then leave with status 2."""
         self.exit(BAD_INPUT, f"{self.prog}: {message}; see {self.prog} --help\n")
 
+    def exit(self, status: int = 0, message: str | None = None) -> NoReturn:
+        """Leave, once help has been written."""
+        streams.flush()
+        super().exit(status, message)
+
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one verb and return its exit status."""
@@ -54,27 +60,39 @@ def main(argv: Sequence[str] | None = None) -> int:
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help", "--version")):
         words.insert(0, "teach")
+    streams.prepare()
     try:
-        return _run(words)
-    except BadInput as error:
-        print(error, file=sys.stderr)
-        return BAD_INPUT
-    except WorkFailed as error:
-        print(error, file=sys.stderr)
-        return FAILED
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        return INTERRUPTED
+        status = _run(words)
+        streams.flush()
     except BrokenPipeError:
         # The reader has left (`| head`): nobody is there to be told.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        streams.silence()
         return DONE
-    except Exception as error:
-        print(f"assistant {words[0]}: a fault of the program: {_kept(error)}", file=sys.stderr)
-        return FAILED
+    except (Exception, KeyboardInterrupt) as error:
+        return _ended(error, words[0])
+    return status
 
 
-def _kept(error: Exception) -> str:
+def _ended(error: BaseException, verb: str) -> int:
+    """Tell what ended a verb, and return its status."""
+    match error:
+        case BadInput():
+            print(error, file=sys.stderr)
+            return BAD_INPUT
+        case WorkFailed():
+            print(error, file=sys.stderr)
+        case KeyboardInterrupt():
+            print("interrupted", file=sys.stderr)
+            return INTERRUPTED
+        case OSError() if why := streams.unwritable(error):
+            print(f"assistant {verb}: {why}", file=sys.stderr)
+            streams.silence()
+        case _:
+            print(f"assistant {verb}: a fault of the program: {_kept(error)}", file=sys.stderr)
+    return FAILED
+
+
+def _kept(error: BaseException) -> str:
     """Keep the whole story of a fault in a file; return one line about it."""
     from assistant.files.home import home
 

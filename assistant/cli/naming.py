@@ -19,10 +19,11 @@ def task_path(told: Path | str) -> Path:
     """
     from assistant.files.library import library
 
-    path, kept = Path(told), library()
+    path = Path(told)
     if path.exists() or path.suffix or len(path.parts) > 1:
         return path
     # A name is told as people say it: with blanks, and in any capitals.
+    kept = library()
     if str(told) in kept:
         return kept.path(str(told))
     raise BadInput.one(str(told), "is no file and no task that is kept", _right(str(told)))

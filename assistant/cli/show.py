@@ -33,10 +33,9 @@ def run(args: argparse.Namespace) -> int:
     from assistant.files.library import library
     from assistant.files.plain import plain_values
 
-    kept = library()
     path = args.file
-    if not path.exists() and str(path) in kept:
-        path = kept.path(str(path))
+    if not path.exists() and str(path) in library():
+        path = library().path(str(path))
     known = read_known(path)
     for warning in known.warnings:
         print(f"warning: {warning}", file=sys.stderr)

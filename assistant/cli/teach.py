@@ -12,10 +12,9 @@ example:
 from __future__ import annotations
 
 import argparse
-import io
 import os
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -76,7 +75,7 @@ def run(args: argparse.Namespace) -> int:
         raise BadInput.one("--voice", "does not go with --json", "one of the two")
     if args.json:
         return _with_json(args)
-    live = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
+    live = sys.stdin.isatty() and sys.stdout.isatty()
     if live and os.environ.get("TERM", "dumb") != "dumb":
         return _with_text(args)
     return _with_plain(args, live=live)
@@ -87,7 +86,7 @@ def _with_json(args: argparse.Namespace) -> int:
 
     shell = JsonShell(lambda line: print(line, flush=True))
     session = _opened(args, shell.out, shell.attach)
-    return _guarded(session, lambda: shell.run(session, _lines()))
+    return _guarded(session, lambda: shell.run(session, sys.stdin))
 
 
 def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
@@ -98,7 +97,7 @@ def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
     shell = PlainShell(lambda line: print(line, flush=True), args.pace, width)
     talking = make_talking(args, lambda line: print(line, flush=True), live=live)
     session = _opened(args, shown_and_spoken(shell.out, talking))
-    return _guarded(session, lambda: shell.run(session, _lines(), live=live, beside=talking))
+    return _guarded(session, lambda: shell.run(session, sys.stdin, live=live, beside=talking))
 
 
 def _with_text(args: argparse.Namespace) -> int:
@@ -111,16 +110,6 @@ def _with_text(args: argparse.Namespace) -> int:
     session = _opened(args, shown_and_spoken(shell.out, talking))
     warm_up()
     return _guarded(session, lambda: shell.run(session, talking))
-
-
-def _lines() -> Iterable[str]:
-    """Return the lines of the input; none where it was closed before the program began.
-
-    Bytes that are no text are words nobody understands, in every locale.
-    """
-    if isinstance(sys.stdin, io.TextIOWrapper):
-        sys.stdin.reconfigure(errors="replace")
-    return sys.stdin or ()
 
 
 def _opened(

@@ -1,7 +1,8 @@
 """Tell what a sentence means: the acts, their slots, and how sure that is.
 
 Without TEXT, JSON lines {"text", "stage", "asked"} are read from standard input and one JSON
-line is written for each.
+line is written for each. A line that cannot be read is told, is answered by "unknown" at
+confidence 0, and makes the end status 2; the others are understood all the same.
 
 example:
   assistant understand "a bit more left" --stage practice
@@ -13,10 +14,11 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast, get_args
 
+from assistant.cli import BAD_INPUT, DONE
 from assistant.errors import BadInput
 
 if TYPE_CHECKING:
@@ -35,22 +37,44 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Understand the words given, or every line of standard input."""
-    from assistant.language.understanding import understand
+    from assistant.language.little_words import folder_of
 
+    folder_of(args.language)  # says so if there is none
     known = _known(args.task)
     given = {"stage": args.stage, "asked": args.asked}
-    if args.words:
-        listening = _listening(given, known, "assistant understand")
-        meant = understand(" ".join(args.words), listening, args.language)
-        print(json.dumps(_plain(meant), ensure_ascii=False) if args.json else _told(meant))
-        return 0
-    for number, line in enumerate(sys.stdin, start=1):
-        if line.strip():
-            row = {**given, **_row(line, f"<stdin>:{number}")}
-            listening = _listening(row, known, f"<stdin>:{number}")
-            meant = understand(str(row["text"]), listening, args.language)
-            print(json.dumps(_plain(meant), ensure_ascii=False), flush=True)
-    return 0
+    if not args.words:
+        return _lines(sys.stdin, given, known, args.language)
+    row = {**given, "text": " ".join(args.words)}
+    meant = _meant(row, known, args.language, "assistant understand")
+    print(json.dumps(_plain(meant)) if args.json else _told(meant))
+    return DONE
+
+
+def _lines(
+    lines: Iterable[str], given: Mapping[str, Any], known: Mapping[str, Any], language: str
+) -> int:
+    """Understand line after line; one that cannot be read is told, and the others go on."""
+    status = DONE
+    for number, line in enumerate(lines, start=1):
+        where = f"<stdin>:{number}"
+        if not line.strip("\ufeff \t\r\n"):
+            continue
+        try:
+            told = _plain(_meant({**given, **_row(line, where)}, known, language, where))
+        except BadInput as error:
+            print(error, file=sys.stderr)
+            told = {"acts": [{"act": "unknown"}], "confidence": 0.0, "heard": "", "why": str(error)}
+            status = BAD_INPUT
+        print(json.dumps(told), flush=True)
+    return status
+
+
+def _meant(
+    row: Mapping[str, Any], known: Mapping[str, Any], language: str, where: str
+) -> Understanding:
+    from assistant.language.understanding import understand
+
+    return understand(row["text"], _listening(row, known, where), language)
 
 
 def _known(path: Path | None) -> Mapping[str, Any]:
@@ -71,8 +95,8 @@ def _known(path: Path | None) -> Mapping[str, Any]:
 
 def _row(line: str, where: str) -> Mapping[str, Any]:
     try:
-        row = json.loads(line)
-    except ValueError as error:
+        row = json.loads(line.removeprefix("\ufeff"))
+    except (ValueError, RecursionError) as error:
         right = 'a JSON object such as {"text": "yes", "stage": "practice", "asked": null}'
         raise BadInput.one(where, "not JSON", right) from error
     if not isinstance(row, dict) or not isinstance(row.get("text"), str):

@@ -122,6 +122,16 @@ def test_the_home_folder_is_where_it_is_told(
     assert home().name == "teaching-assistant"
 
 
+def test_a_home_folder_nobody_has_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ASSISTANT_HOME", "~nobody at all/x")
+    with pytest.raises(BadInput, match="there is no such home folder: ~nobody at all/x"):
+        home()
+    monkeypatch.delenv("ASSISTANT_HOME")
+    monkeypatch.setattr("assistant.files.home.user_data_path", lambda *_: Path("~/.local/share"))
+    with pytest.raises(BadInput, match="is not set, and you have no home folder; set it"):
+        home()
+
+
 def test_a_task_is_written_down_beside_the_kept_ones(kept: Library) -> None:
     path = kept.write_record("Pick & Place!", task(lesson()))
     assert path.name == "pick_place.md"
