@@ -32,6 +32,7 @@ from assistant.language.repair import homophones, rejoined, respelled, without_s
 from assistant.language.seeking import chances_of
 from assistant.language.sentences import best_sentence
 from assistant.language.stopping import has_stop_word
+from assistant.language.surface import dressed, plainly
 from assistant.language.weighing import weighed
 from assistant.language.words import Words, words_of
 from assistant.model.listening import Listening, Understanding
@@ -59,13 +60,14 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
     """
     if listening.moving and has_stop_word(text, language):
         return Understanding((Stop(),), 1.0, text)
-    reading = read(text, listening, language)
+    reading = read(text, plainly(listening), language)
     if not reading.words:
         return Understanding((Unknown(),), 0.9, text)
+    acts = dressed(reading.parse.acts, text, listening, language)
     score = reading.parse.score
-    if any(isinstance(act, Stop) for act in reading.parse.acts):
+    if any(isinstance(act, Stop) for act in acts):
         score = max(score, ACTING) if has_stop_word(text, language) else min(score, DOUBTFUL)
-    return Understanding(reading.parse.acts, round(score, 3), text)
+    return Understanding(acts, round(score, 3), text)
 
 
 def read(text: str, listening: Listening, language: str = "english") -> Reading:

@@ -21,6 +21,7 @@ _SHARE_SIGNS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
 _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
     (0x2018, 0x2019, 0xB4, 0x60), "'"
 )
+_UNDERSCORES = re.compile(r"(?<=[^\W_])_+(?=[^\W_])")
 OWNER = "'s"
 MOST_CHARACTERS = 2000
 
@@ -47,10 +48,15 @@ class Word:
 Words = tuple[Word, ...]
 
 
+def cleaned(text: str) -> str:
+    """Return the text with simple apostrophes, dashes and letters."""
+    known = unicodedata.normalize("NFKC", text[:MOST_CHARACTERS].replace("½", " 0.5 "))
+    return known.translate(_DASHES)
+
+
 def plain(text: str) -> str:
     """Return the text in lower case with simple apostrophes, dashes and spaces."""
-    known = unicodedata.normalize("NFKC", text[:MOST_CHARACTERS].replace("½", " 0.5 "))
-    return " ".join(known.translate(_DASHES).lower().split())
+    return " ".join(_UNDERSCORES.sub(" ", cleaned(text).lower()).split())
 
 
 def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
