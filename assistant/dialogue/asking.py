@@ -55,6 +55,8 @@ def question(dialogue: Dialogue) -> RobotAct | None:
     match dialogue.state:
         case Introducing() as state:
             return introduction.question(known, state)
+        case AwaitingShow(step) if step:
+            return line("ask", "ready_step", asked="ready", about=task, name=step)
         case AwaitingShow():
             topic = "ready_again" if known.demonstrations else "ready_to_watch"
             return line("ask", topic, asked="ready", about=task, task=known.name)

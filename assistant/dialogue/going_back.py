@@ -22,8 +22,11 @@ from assistant.model.robot_acts import RobotAct
 from assistant.model.teacher_acts import Stage
 
 
-def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
-    """Return to a stage; nothing that was taught is lost."""
+def go_back(dialogue: Dialogue, stage: Stage, *, step: str = "") -> Turn:
+    """Return to a stage; nothing that was taught is lost.
+
+    `step` is the one to be shown again, where that is all the demonstration is for.
+    """
     halting: tuple[Effect, ...] = ()
     if dialogue.can_halt:
         halting = (Halt("stop"),)
@@ -38,7 +41,7 @@ def go_back(dialogue: Dialogue, stage: Stage) -> Turn:
         return first(halting, first(say(still, told)[1], ask(replace(still, state=missing))))
     confirmed = replace(still, known=replace(known, tree_confirmed=True))
     if stage == "demonstration":
-        return first(halting, ask(replace(confirmed, state=AwaitingShow())))
+        return first(halting, ask(replace(confirmed, state=AwaitingShow(step))))
     if known.lesson is None:
         told = line("error", "nothing_learned")
         return first(halting, tell(replace(confirmed, state=AwaitingShow()), told))

@@ -11,19 +11,22 @@ from functools import cache
 
 from assistant.dialogue.asking import question
 from assistant.dialogue.doubting import is_guess
-from assistant.dialogue.finding import find, name_at, unclear
-from assistant.dialogue.going_back import go_back
+from assistant.dialogue.finding import find, find_whole, name_at, unclear
 from assistant.dialogue.naming import alike, tidy, tidy_name
+from assistant.dialogue.one_step import wanted
 from assistant.dialogue.referring import lost_number, with_names
 from assistant.dialogue.sketch import names, walk
 from assistant.dialogue.state import Dialogue
 from assistant.dialogue.structure import add_inside, edit
 from assistant.dialogue.things import bare
-from assistant.dialogue.turn import Turn, Words, first, line, say
+from assistant.dialogue.turn import Turn, Words
 from assistant.language.asides import frees_order
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.task import Index
+
+MOST_LEAD = 4
+"""Words between a verb of showing and the step that is to be shown."""
 
 
 def added(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
@@ -70,16 +73,18 @@ def _in_part(dialogue: Dialogue, text: str) -> list[tuple[Index, str]]:
 
 
 def shown_again(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
-    """Watch the task again for the sake of one step; None where none is named."""
+    """Watch one step again; None where none is named."""
     if _asks_between(dialogue) or dialogue.known.lesson is None or dialogue.busy:
         return None
     shows, again = _any("shows", dialogue.language), _any("once_more", dialogue.language)
     told = re.search(rf"\b(?:{shows})\s+(.+?)\s+(?:{again})\b", words.text, re.IGNORECASE)
-    index = find(dialogue.known, bare(with_names(dialogue, told.group(1)))) if told else None
-    if index is None:
-        return None
-    said = line("told", "step_again", name=name_at(dialogue.known, index))
-    return first(say(dialogue, said)[1], go_back(dialogue, "demonstration"))
+    said = with_names(dialogue, told.group(1)).split() if told else []
+    # "You just the second step" begins with what belongs to the verb.
+    rests = (
+        bare(" ".join(said[at:]), dialogue.language) for at in range(min(len(said), MOST_LEAD))
+    )
+    index = next(filter(None, (find_whole(dialogue.known, rest) for rest in rests)), None)
+    return wanted(dialogue, index) if index else None
 
 
 def called(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:

@@ -32,7 +32,7 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
         return dialogue, ()
     known = dialogue.known
     if event.lesson is None:
-        fewer = replace(known, demonstrations=known.demonstrations[:-1])
+        fewer = _without_last(dialogue)
         waiting = replace(
             changed(dialogue, "demonstration", fewer),
             state=AwaitingShow(),
@@ -51,6 +51,14 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
     questions = open_questions(lesson)
     reviewing = replace(after, state=Reviewing(questions), pace="slow")
     return tell(reviewing, read_back(after.known))
+
+
+def _without_last(dialogue: Dialogue) -> Knowledge:
+    """Return what is known without what was shown last; a step's old stretch is back again."""
+    known, before = dialogue.known, dialogue.past[-1].known if dialogue.past else None
+    if before is not None and len(before.demonstrations) == len(known.demonstrations):
+        return before
+    return replace(known, demonstrations=known.demonstrations[:-1])
 
 
 def open_questions(lesson: Lesson) -> tuple[Question, ...]:

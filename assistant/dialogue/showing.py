@@ -7,6 +7,7 @@ from dataclasses import replace
 from assistant.dialogue.asking import ask, learn, tell
 from assistant.dialogue.effects import EndRecording, Halt, Record, SetHand
 from assistant.dialogue.events import Shown
+from assistant.dialogue.one_step import shown_step
 from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Pending, Watching
 from assistant.dialogue.turn import Turn, changed, line, say, then
 from assistant.model import teacher_acts as acts
@@ -16,7 +17,8 @@ from assistant.model.robot_acts import About
 
 def watch(dialogue: Dialogue) -> Turn:
     """Begin to record the teacher's hand."""
-    watching = replace(dialogue, state=Watching(), pending=None)
+    step = dialogue.state.step if isinstance(dialogue.state, AwaitingShow) else ""
+    watching = replace(dialogue, state=Watching(step=step), pending=None)
     told = line("report", "watching", about=About(dialogue.known.name))
     return then(say(watching, told), Record())
 
@@ -25,10 +27,10 @@ def while_watching(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
     """Answer what is said during a demonstration; markers and chat are met with silence."""
     match act:
         case acts.Approve() | acts.Affirm():
-            over = replace(dialogue, state=Watching("learn"))
+            over = replace(dialogue, state=Watching("learn", _step(dialogue)))
             return over, (EndRecording(keep=True),)
         case acts.Stop():
-            over = replace(dialogue, state=Watching("ask"))
+            over = replace(dialogue, state=Watching("ask", _step(dialogue)))
             told = line("stopped", "while_shown")
             return first_halt(then(say(over, told), EndRecording(keep=True)))
         case acts.Again() | acts.GoBack("demonstration") | acts.Deny() | acts.Undo():
@@ -47,19 +49,25 @@ def first_halt(turn: Turn) -> Turn:
 
 
 def _start_over(dialogue: Dialogue) -> Turn:
-    waiting = replace(dialogue, state=AwaitingShow())
+    waiting = replace(dialogue, state=AwaitingShow(_step(dialogue)))
     told = tell(waiting, line("report", "start_over"))
     return told[0], (EndRecording(keep=False), *told[1])
+
+
+def _step(dialogue: Dialogue) -> str:
+    return dialogue.state.step if isinstance(dialogue.state, Watching) else ""
 
 
 def shown(dialogue: Dialogue, event: Shown) -> Turn:
     """Take what was shown; learn from it unless it was broken off."""
     if not isinstance(dialogue.state, Watching):
         return dialogue, ()
-    ending = dialogue.state.ending
-    waiting = replace(dialogue, state=AwaitingShow())
+    ending, step = dialogue.state.ending, dialogue.state.step
+    waiting = replace(dialogue, state=AwaitingShow(step))
     if event.demonstration is None:
         return tell(waiting, line("error", "not_shown", reason=event.why_not))
+    if step:
+        return shown_step(waiting, step, event.demonstration)
     known = with_demonstration(dialogue.known, event.demonstration)
     kept = changed(waiting, "demonstration", known)
     if ending == "ask":

@@ -103,14 +103,30 @@ class Introducing:
 
 @dataclass(frozen=True, slots=True)
 class AwaitingShow:
-    """The teacher is to say when the demonstration begins."""
+    """The teacher is to say when the demonstration begins.
+
+    Parameters
+    ----------
+    step : str
+        The one step that is to be shown again; empty for the whole task.
+    """
+
+    step: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class Watching:
-    """The teacher's hand is being recorded; `ending` once the end was asked for."""
+    """The teacher's hand is being recorded; `ending` once the end was asked for.
+
+    Parameters
+    ----------
+    ending : str
+    step : str
+        As in `AwaitingShow`.
+    """
 
     ending: Literal["", "learn", "ask"] = ""
+    step: str = ""
 
 
 @dataclass(frozen=True, slots=True)

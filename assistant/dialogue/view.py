@@ -21,10 +21,11 @@ STATION = ("kind", "object", "frame")
 def public_view(dialogue: Dialogue) -> dict[str, Any]:
     """Return plain values for transcripts' ``expect``, programs and status lines.
 
-    ``stage``, ``asked``, ``task.{name, goal, objects, tree, primitives}``, ``lesson.{cuts_s,
-    episodes, points, questions, cue_lag_s, stations}``, ``feedback``, ``speed``, ``pace``,
-    ``setup``, ``motion`` (rest, checking, moving, paused, stopped), ``at`` (the primitive being
-    carried out), ``refused``, ``runs``, ``agreed``, ``saved``, ``unsaved``, ``undo``, ``redo``.
+    ``stage``, ``asked``, ``step_shown`` (the one shown again), ``task.{name, goal, objects, tree,
+    primitives}``, ``lesson.{cuts_s, episodes, points, questions, cue_lag_s, stations}``,
+    ``feedback``, ``speed``, ``pace``, ``setup``, ``motion`` (rest, checking, moving, paused,
+    stopped), ``at`` (the primitive being carried out), ``refused``, ``runs``, ``agreed``,
+    ``saved``, ``unsaved``, ``undo``, ``redo``.
     """
     known = dialogue.known
     asked = question(dialogue)
@@ -32,6 +33,7 @@ def public_view(dialogue: Dialogue) -> dict[str, Any]:
         "stage": stage(dialogue),
         "asked": asked.asked if asked is not None else None,
         "state": type(dialogue.state).__name__.lower(),
+        "step_shown": getattr(dialogue.state, "step", ""),
         "task": _task(known),
         "primitives": [leaf.name for leaf in primitives(known.task.tree)],
         "demonstrations": len(known.demonstrations),

@@ -9,12 +9,21 @@ from typing import Any
 from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
+from assistant.dialogue.one_step import ended_at
 from assistant.geometry import compose
 from assistant.ports import ArmLook
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
-from assistant.shells.driving_picture import Sight, drawn, marks, seen_mm, sights
-from assistant.shells.driving_view import gap_line, gaps, in_the_way, step_line
+from assistant.shells.driving_picture import SHUT_M, Sight, drawn, marks, seen_mm, sights
+from assistant.shells.driving_view import (
+    above_table,
+    end_gap,
+    gap_line,
+    gaps,
+    in_the_way,
+    step_line,
+    unplaced,
+)
 from assistant.shells.gripping import CHARACTERS, Area
 from assistant.shells.wrapping import columns, wrapped
 
@@ -52,6 +61,9 @@ class Screen:
         self.areas: tuple[Area, ...] = ()
         self._size, self._rest = (0, 0), 0
         self._sights: tuple[Sight, ...] = ()
+        step = str(session.dialogue_view["step_shown"])
+        self._closed = False
+        self._end = ended_at(session.dialogue.known, step) if step else None
 
     def _fitted(self, look: ArmLook, rest: int) -> None:
         """Choose the pictures anew where the terminal was resized, or the rest needs more room.
@@ -73,6 +85,7 @@ class Screen:
         scene, tip = self._session.mover.scene, self._hand.tip
         bodies = [(look.bodies[n], b) for n, b in scene.bodies.items() if n in look.bodies]
         goals = [compose(compose(pose, body.hand_in_body), tip) for pose, body in bodies]
+        goals += [] if self._end is None else [compose(self._end, tip)]
         seen = seen_mm(look, [compose(look.hand, tip), *goals], scene)
         return sights(seen, rows, across, facing=self.facing)
 
@@ -163,7 +176,24 @@ class Screen:
         for gap in gaps(look, scene, self._hand.tip):
             way = gap_line(gap, words, facing=self.facing, holding=bool(look.held))
             told += wrapped(way, columns(), before=f" {letters[gap.name]} ")
+        told += self._lost(look)
+        if self._end is not None:
+            end = end_gap(look, self._end, self._hand.tip)
+            ended = gap_line(end, words, facing=self.facing, holding=bool(look.held))
+            told += wrapped(ended, columns(), before="   ")
         return [[("", line)] for line in told]
+
+    def _lost(self, look: ArmLook) -> list[str]:
+        """Return what to do about things whose places nobody told."""
+        words = self._words
+        self._closed = self._closed or bool(look.held) or look.gripper_m < SHUT_M
+        told = unplaced(
+            self._session.dialogue.known.objects or (), look, words, closed=self._closed
+        )
+        below_mm = above_table(look, self._session.mover.scene, self._hand.tip)
+        if told and below_mm is not None:
+            told = (*told, str(words["unplaced"]["table"]).format(mm=round(below_mm)))
+        return [line for one in told for line in wrapped(one, columns(), before="   ")]
 
     def _state(self, look: ArmLook, told: str) -> Lines:
         session, words = self._session, self._words
@@ -189,5 +219,6 @@ class Screen:
             warning = str(words["clutched"])
         if state.blocked is not None:
             held = self._session.mover.look.held
-            warning = in_the_way(state.blocked, words, self._session.language, held)
+            language, facing = self._session.language, self.facing
+            warning = in_the_way(state.blocked, words, language, held, facing=facing)
         return [[("ansiyellow", line)] for line in wrapped(warning, columns(), before=" ")]

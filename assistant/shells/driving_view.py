@@ -13,6 +13,7 @@ from assistant.geometry import Array, compose, quat_to_rpy, relative
 from assistant.language.speech import phrase
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
+from assistant.model.task import TaskObject
 from assistant.ports import ArmLook
 
 NEAR_MM, NEAR_DEG = 0.5, 0.4
@@ -22,6 +23,8 @@ WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 TURNS = ("q", "e")
 WRIST = ("joint 4", "joint 6")
 """What turns about the arm's own line winds up, and unwinds by another way to the same place."""
+ELBOW = "joint 3"
+"""It ends where the arm is folded up; stretched, the hand is out of reach before."""
 MIRRORED = {"w": "s", "s": "w", "a": "d", "d": "a"}
 """Facing the robot, the teacher's directions are the other way round."""
 
@@ -33,6 +36,7 @@ class Gap:
     Parameters
     ----------
     name : str
+        Empty for where the step that is shown again ended.
     xyz_mm : array, shape (3,)
         Along the axes of the robot's base.
     yaw_deg : float
@@ -68,10 +72,55 @@ def gaps(look: ArmLook, scene: Scene, tip: Array) -> tuple[Gap, ...]:
     )
 
 
+def unplaced(
+    objects: Sequence[TaskObject], look: ArmLook, words: Mapping[str, Any], *, closed: bool
+) -> tuple[str, ...]:
+    """Return a line for each thing whose place is yet to be taken from what is shown.
+
+    Parameters
+    ----------
+    objects : sequence of TaskObject
+    look : ArmLook
+    words : mapping
+        Of driving.
+    closed : bool
+        Whether the hand has closed on something: then it matters where it opens.
+    """
+    now = "target" if closed else "object"
+    lost = (one for one in objects if one.name not in look.bodies and one.role == now)
+    return tuple(str(words["unplaced"][one.role]).format(name=one.name) for one in lost)
+
+
+def above_table(look: ArmLook, scene: Scene, tip: Array) -> float | None:
+    """Return how far below the point between the fingers a table's top is, in mm."""
+    x, y, z = 1000.0 * compose(look.hand, tip)[:3]
+    tops = [
+        table.xyz_mm[2] + table.size_mm[2]
+        for table in scene.tables
+        if abs(x - table.xyz_mm[0]) <= table.size_mm[0] / 2.0
+        and abs(y - table.xyz_mm[1]) <= table.size_mm[1] / 2.0
+    ]
+    below = [float(z - top) for top in tops if top < z]
+    return min(below) if below else None
+
+
+def end_gap(look: ArmLook, goal: Array, tip: Array) -> Gap:
+    """Return the gap to where the step that is shown again ended.
+
+    Parameters
+    ----------
+    look : ArmLook
+    goal : array, shape (7,)
+        The flange there.
+    tip : array, shape (7,)
+    """
+    return _gap(look, "", goal, tip)
+
+
 def _gap(look: ArmLook, name: str, goal: Array, tip: Array) -> Gap:
     yaw = float(quat_to_rpy(relative(look.hand, goal)[3:])[2])
     away_mm = 1000.0 * (compose(goal, tip)[:3] - compose(look.hand, tip)[:3])
-    return Gap(name, away_mm, float(np.rad2deg(yaw)), held=look.held == name)
+    return Gap(name, away_mm, float(np.rad2deg(yaw)), held=bool(name) and look.held == name)
 
 
 def key_for(key: str, *, facing: bool) -> str:
@@ -81,9 +130,11 @@ def key_for(key: str, *, facing: bool) -> str:
 
 def gap_line(gap: Gap, words: Mapping[str, Any], *, facing: bool, holding: bool) -> str:
     """Return the way to a thing: "to the block   154 mm forward (w)   ..."."""
-    head = str(words["to"]).format(name=gap.name)
+    head = str(words["to"]).format(name=gap.name) if gap.name else str(words["to_end"])
     if gap.held:
         return f"{head}   {words['held']}"
+    if gap.there and not gap.name:
+        return f"{head}   {words['there']}: {words['end_now']}"
     if gap.there:
         act = words["open_now" if holding else "close_now"]
         return f"{head}   {words['there']}: {act}"
@@ -102,7 +153,12 @@ def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]
 
 
 def in_the_way(
-    trouble: Refusal | ArmReport, words: Mapping[str, Any], language: str, held: str = ""
+    trouble: Refusal | ArmReport,
+    words: Mapping[str, Any],
+    language: str,
+    held: str = "",
+    *,
+    facing: bool = False,
 ) -> str:
     """Return in words why the hand does not go on.
 
@@ -114,9 +170,14 @@ def in_the_way(
     language : str
     held : str
         What the hand holds: put down, it touches something.
+    facing : bool
+        Whether the teacher faces the robot.
     """
     if isinstance(trouble, Refusal):
         told = phrase(refusal_line("refuse", trouble), language)
+        if trouble.what == ELBOW:
+            away = key_for("w", facing=facing)
+            return f"{told} {str(words['folded']).format(key=away)}"
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
     put_down = bool(held) and trouble.text == "contact"
     template = words["put_down"] if put_down else words["faults"][trouble.text]
@@ -140,6 +201,8 @@ def step_line(view: Mapping[str, Any], cues: Sequence[str], words: Mapping[str, 
     first = str(words["cues"]["1"])
     # Who does not mark the beginning marks the first transition first.
     number = len(cues) + (not cues or first not in cues[0].lower())
+    if view["step_shown"]:
+        return str(told["only"]).format(name=view["step_shown"])
     if not names:
         return ""
     if not cues:

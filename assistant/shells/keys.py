@@ -11,6 +11,7 @@ import asyncio
 import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
+from dataclasses import replace
 from typing import Any
 
 from prompt_toolkit import Application
@@ -57,6 +58,28 @@ class Due:
             return False
         self._next_s = sample.t_s + self._every_s
         return True
+
+
+class Begun:
+    """Lets samples pass from when the teacher begins, on a clock that begins then.
+
+    Whoever still reads what the keys do shows nothing.
+    """
+
+    def __init__(self) -> None:
+        self._begins = False
+        self._since_s: float | None = None
+
+    def begin(self) -> None:
+        """Take note that the teacher does something."""
+        self._begins = True
+
+    def __call__(self, sample: HandSample) -> HandSample | None:
+        """Return a sample on the demonstration's clock; None before it begins."""
+        if self._since_s is None and not (self._begins or sample.said):
+            return None
+        self._since_s = sample.t_s if self._since_s is None else self._since_s
+        return replace(sample, t_s=sample.t_s - self._since_s)
 
 
 class View(FormattedTextControl):
@@ -108,6 +131,7 @@ class Driving:
         self._screen = Screen(session, hand, self._words, self.press)
         self._grip = Grip(hand, lambda: self._screen.areas)
         self._typing = False
+        self._begun = Begun()
         self._told = ""
         self._error: BaseException | None = None
         self._line = Buffer(multiline=False, accept_handler=self._said)
@@ -137,8 +161,8 @@ class Driving:
             while self._session.watching is not None and not self._session.left:
                 began_s = time.monotonic()
                 with self._lock:
-                    sample = self._hand.tick()
-                    if self._due(sample):
+                    sample = self._begun(self._hand.tick())
+                    if sample is not None and self._due(sample):
                         self._session.see(sample)
                 await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
         except Exception as error:
@@ -160,7 +184,10 @@ class Driving:
         if event.event_type in WHEEL:
             self.press(WHEEL[event.event_type])
             return True
-        return self._grip.take(event)
+        taken = self._grip.take(event)
+        if taken:
+            self._begun.begin()
+        return taken
 
     def press(self, key: str) -> None:
         """Take a key as it is named in the list of keys."""
@@ -178,10 +205,19 @@ class Driving:
         key = key if key in NAMED else key.lower()
         name = next((name for name, each in NAMED.items() if each == key), key)
         if self._hand.press(key_for(NAMED.get(key, key), facing=self._screen.facing)):
-            self._told = str(self._words["keys"].get(name, ""))
+            self._begun.begin()
+            self._told = self._done(name)
         else:
             shown = key if key.isprintable() else "?"
             self._told = str(self._words["nothing"]).format(key=shown)
+
+    def _done(self, name: str) -> str:
+        """Return what a key did; with the clutch out only the clutch does anything."""
+        if self._hand.state.clutched:
+            return ""
+        return str(
+            self._words["clutch_in"] if name == "space" else self._words["keys"].get(name, "")
+        )
 
     def _speak(self) -> None:
         self._typing = True

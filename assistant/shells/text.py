@@ -26,6 +26,7 @@ from assistant.session import halting
 from assistant.session.acting import leave
 from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
+from assistant.session.stepping_in import step_in
 from assistant.shells.answering import picture, rendered
 from assistant.shells.bar import bar
 from assistant.shells.beating import BEAT_S
@@ -224,8 +225,13 @@ class TextShell:
             self._write(words["no_keys"])
             return
         with ticker.lock:
-            session.rest()
-            mover.arrange(mover.scene, mover.setup)
+            there = step_in(session)
+        if session.equipment.stop_flag.is_set():
+            session.equipment.stop_flag.clear()
+            self._write(words["at_rest"])
+            return
+        if not there:
+            self._write(words["driving"]["not_there"])
         hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
         watching = session.watching
         self._write(words["driving"]["begin"])

@@ -7,7 +7,7 @@ import pytest
 from assistant.dialogue.machine import begin
 from assistant.dialogue.sketch import at, names
 from assistant.model import teacher_acts as acts
-from tests.dialogue.teaching import STEPS, Lessons
+from tests.dialogue.teaching import STEPS, Lessons, lesson, tree_task
 
 
 def counting() -> Lessons:
@@ -129,7 +129,7 @@ def test_two_steps_called_by_name_are_exchanged_and_shown_anew() -> None:
 
 
 @pytest.mark.parametrize("text", ["let me show you the second step again", "I show it anew"])
-def test_one_step_shown_again_is_told_to_need_the_whole(text: str) -> None:
-    teacher = Lessons().ready().hear(acts.GoBack("demonstration"), text=text)
+def test_one_step_shown_again_needs_the_whole_where_nothing_is_left_of_it(text: str) -> None:
+    teacher = Lessons().open(tree_task(lesson())).hear(acts.GoBack("demonstration"), text=text)
     assert teacher.asked == "ready"
     assert ("told.step_again" in teacher.topics) == ("second" in text)

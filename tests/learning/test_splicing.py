@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.geometry import Array, distance_between
@@ -46,6 +46,7 @@ def done(old: Demonstration, new: Demonstration) -> Spliced:
     return found
 
 
+@settings(max_examples=25)
 @given(seconds=st.floats(1.0, 9.0), off_mm=st.floats(0.0, 40.0), bump_mm=st.floats(0.0, 90.0))
 def test_the_rest_is_kept_and_nothing_leaps(seconds: float, off_mm: float, bump_mm: float) -> None:
     old = whole().recording

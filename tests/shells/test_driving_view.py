@@ -11,16 +11,20 @@ from assistant.language.hints import page
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.placing import in_line
 from assistant.model.scene import Scene
+from assistant.model.task import TaskObject
 from assistant.ports import ArmLook
 from assistant.shells.driving_view import (
     NEAR_DEG,
     NEAR_MM,
     Gap,
+    above_table,
+    end_gap,
     gap_line,
     gaps,
     in_the_way,
     key_for,
     step_line,
+    unplaced,
 )
 from sim.driving import TIP
 
@@ -83,12 +87,52 @@ def test_who_is_told_to_let_go_is_in_line(
         assert lies if gap.there else len(gap_line(gap, WORDS, facing=False, holding=True)) > 20
 
 
+def test_the_way_to_where_a_step_ended_is_told_until_the_hand_is_there(
+    table: tuple[ArmLook, Scene],
+) -> None:
+    look, _ = table
+    goal = look.hand + np.array([0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0])
+    told = gap_line(end_gap(look, goal, TIP), WORDS, facing=False, holding=True)
+    assert told == "to where the step ended   100 mm up (r)"
+    there = gap_line(end_gap(look, look.hand, TIP), WORDS, facing=False, holding=True)
+    assert there.endswith("Esc ends it")
+
+
+def test_what_has_no_place_yet_is_told_to_be_where_the_hand_acts(
+    table: tuple[ArmLook, Scene],
+) -> None:
+    look, scene = table
+    bare = replace(look, bodies={})
+    things = (TaskObject("red cup", "object"), TaskObject("tray", "target"))
+    (cup,) = unplaced(things, bare, WORDS, closed=False)
+    assert "red cup" in cup
+    assert "close the hand (c)" in cup
+    (tray,) = unplaced(things, bare, WORDS, closed=True)
+    assert "tray" in tray
+    assert "open the hand (o)" in tray
+    assert unplaced((TaskObject("block", "object"),), look, WORDS, closed=False) == ()
+    above_mm = above_table(look, scene, TIP)
+    lower = look.hand - np.array([0.0, 0.0, 0.05, 0.0, 0.0, 0.0, 0.0])
+    assert above_mm is not None
+    assert above_table(replace(look, hand=lower), scene, TIP) == pytest.approx(above_mm - 50.0)
+
+
+def test_a_folded_arm_is_told_which_way_is_free() -> None:
+    folded = Refusal("joint_limit", "next step", "joint 3")
+    assert "first (w)" in in_the_way(folded, WORDS, "english")
+    assert "first (s)" in in_the_way(folded, WORDS, "english", facing=True)
+    assert "(w)" not in in_the_way(Refusal("joint_limit", "next step", "joint 5"), WORDS, "english")
+
+
 def test_a_gap_of_nothing_is_there() -> None:
     assert Gap("block", np.zeros(3), 0.0).there
     assert not Gap("block", np.zeros(3), 10.0).there
 
 
-VIEW = {"task": {"primitives": [{"name": name} for name in ("approach", "grasp", "lift")]}}
+VIEW = {
+    "step_shown": "",
+    "task": {"primitives": [{"name": name} for name in ("approach", "grasp", "lift")]},
+}
 
 
 def test_the_step_being_shown_is_told_with_the_key_for_the_next() -> None:
@@ -103,13 +147,14 @@ def test_the_step_being_shown_is_told_with_the_key_for_the_next() -> None:
     assert told("then") == told("first step", "then")
     last = "step 3 of 3: lift   Esc when it is done"
     assert told("next step", "next step") == told("first step", "n", "n", "n") == last
-    assert step_line({"task": {"primitives": []}}, (), WORDS) == ""
+    assert step_line({**VIEW, "task": {"primitives": []}}, (), WORDS) == ""
+    assert "show only: lift" in step_line({**VIEW, "step_shown": "lift"}, (), WORDS)
 
 
 def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
-    refusal = Refusal("joint_limit", "next step", "joint 3")
+    refusal = Refusal("joint_limit", "next step", "joint 5")
     told = in_the_way(refusal, WORDS, "english")
-    assert told == "I do not go: at the next step joint 3 would pass its limit."
+    assert told == "I do not go: at the next step joint 5 would pass its limit."
     wound = in_the_way(Refusal("joint_limit", "next step", "joint 4"), WORDS, "english")
     assert "another order" in wound
     slipped = ArmReport("unmet", 1.0, text="held", object="block")

@@ -10,7 +10,7 @@ import pytest
 
 from assistant.ports import HandSample
 from assistant.session.loop import Session
-from assistant.shells.keys import Due
+from assistant.shells.keys import Begun, Due
 from assistant.shells.showing import Showing
 
 WATCHING = cast(Session, SimpleNamespace(watching=object(), language="english"))
@@ -47,3 +47,17 @@ def test_samples_are_recorded_when_due_and_whenever_something_is_said() -> None:
         for t_s in (round(0.02 * k, 2) for k in range(100))
     ]
     assert [sample.t_s for sample in samples if due(sample)] == [0.0, 0.5, 0.62, 1.12, 1.62]
+
+
+@pytest.mark.parametrize("said", ["", "first step"])
+def test_nothing_is_recorded_before_the_teacher_does_or_says_something(said: str) -> None:
+    begun = Begun()
+    assert begun(HandSample(30.0, np.zeros(7), 0.08)) is None
+    if not said:
+        begun.begin()
+    first = begun(HandSample(30.02, np.zeros(7), 0.08, said))
+    then = begun(HandSample(30.04, np.zeros(7), 0.08))
+    assert first is not None
+    assert then is not None
+    assert (first.t_s, first.said) == (0.0, said)
+    assert then.t_s == pytest.approx(0.02)
