@@ -12,6 +12,7 @@ import numpy as np
 
 from assistant.geometry import Array, rotate_vector
 from assistant.learning.candidates import Evidence
+from assistant.learning.handling import goals, handled, held_before, otherwise, reaching
 from assistant.learning.stretches import Stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.directions import WAYS
@@ -33,16 +34,16 @@ def fits(
     usual_s = float(between.at_s[-1] - between.at_s[0]) / max(len(leaves), 1)
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
-    reaching = _reaching(leaves)
-    holding = {} if told or not seen else _holding(leaves, task)
+    reach, ends = reaching(leaves), goals(leaves, task)
+    holding = {} if told or not seen else held_before(leaves, task)
     alike = {
         known.name: [places[one.name] for one in task.objects if _rival(known, one, places)]
         for known in task.objects
     }
     scores = [
-        _character(leaf, task, between, seen, leaf.name in reaching, settings)
-        + _events(leaf, task, between, seen, told, settings)
-        - settings.decoding.event * _otherwise(between, holding.get(leaf.name))[:, None]
+        _character(leaf, leaf.name in ends, between, seen, leaf.name in reach, settings)
+        + handled(leaf, task, between, seen, told, settings)
+        - settings.decoding.event * otherwise(between, holding.get(leaf.name))[:, None]
         + _objects(leaf, {} if leaf.name in moved else places, between, settings)
         + _elsewhere(leaf, {} if leaf.name in moved else places, alike, between, settings)
         + _lasting(leaf, between, usual_s, settings)
@@ -99,7 +100,7 @@ def _in_order(task: Task, role: str) -> list[str]:
 
 def _character(
     leaf: Primitive,
-    task: Task,
+    ends_there: bool,
     between: Stretches,
     seen: bool,
     reaches: bool,
@@ -122,31 +123,22 @@ def _character(
         # Who only turns goes nowhere.
         wide = 0.5 * given.wide * np.maximum(share - 0.3, 0.0)
         return np.asarray(given.turning * _turning(leaf.action.way, between) - wide)
+    if leaf.action.verb == "free":
+        # Wiping wanders, and so may whatever only its name tells.
+        return np.asarray(still)
     axis = WAYS.get(leaf.action.way)
     # One step goes one way: what wanders or comes back is two.
     still -= given.straight * between.longer
-    if leaf.action.verb == "free" or axis is None:
+    if axis is None:
         return np.asarray(still)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
-    known = task.object(leaf.action.object or "")
-    if known is not None and known.role == "target":
+    if ends_there:
         # "Down to the target" says where the way ends: it may come from the side.
         return np.asarray(given.direction * np.maximum(along, 0.0) + still)
     # A thing goes the way that is said; a hand that only leaves may go aside.
-    weight = given.astray if known is None else given.thing_astray
+    weight = given.thing_astray if leaf.action.object else given.astray
     astray = weight * np.maximum(given.clear_along - along, 0.0)
     return np.asarray(given.direction * along - astray + still)
-
-
-def _reaching(leaves: Sequence[Primitive]) -> frozenset[str]:
-    """Return the primitives of the hand that bring it there, too: no other is said to do so."""
-    brought, found = False, set()
-    for leaf in leaves:
-        if leaf.action.verb == "hand" and leaf.action.object and not brought:
-            found.add(leaf.name)
-        gone = leaf.action.way in ("depart", "up") or leaf.action.verb in ("hand", "turn")
-        brought = not gone
-    return frozenset(found)
 
 
 def _turning(way: str, between: Stretches) -> Array:
@@ -166,64 +158,6 @@ def _turning(way: str, between: Stretches) -> Array:
     axis = np.broadcast_to(axes[way], (*between.quats.shape[:1], 3))
     along = np.sum(between.turns * axis[:, None, :], axis=-1)
     return np.asarray(np.clip(1.3 * along / (size + 0.1), -1.0, 1.0))
-
-
-def _events(
-    leaf: Primitive,
-    task: Task,
-    between: Stretches,
-    seen: bool,
-    told: frozenset[str],
-    settings: SegmentationSettings,
-) -> Array:
-    """Return (b), whether the gripper did what the action says, and nothing else."""
-    given = settings.decoding
-    score = np.zeros_like(between.lasting_s)
-    if not seen:
-        return score
-    if leaf.action.verb == "hand":
-        other = "open" if leaf.action.way == "close" else "close"
-        wanted = between.inside[leaf.action.way] + between.at_end[leaf.action.way]
-        wrong = between.inside[other] + between.at_end[other]
-        return np.asarray(
-            np.where(wanted == 1, given.event, -given.event)
-            - given.event * np.maximum(wanted - 1, 0.0)
-            - given.event * wrong
-        )
-    known = task.object(leaf.action.object or "")
-    ends = {"object": "close", "target": "open"}.get(known.role if known else "", "")
-    for kind in ("close", "open"):
-        score -= given.event * between.inside[kind]
-        if kind in told:
-            score -= 0.5 * given.event * between.at_end[kind]
-        elif kind == ends and leaf.action.way not in ("depart", "up"):
-            # Letting go may be told or be part of getting there; who tells it tells grasping, too.
-            untold = kind == "close" and "open" in told
-            score += (-0.5 if untold else 0.5) * given.event * between.at_end[kind]
-    return score
-
-
-def _holding(leaves: Sequence[Primitive], task: Task) -> dict[str, bool]:
-    """Return whether each primitive begins with something in the hand, as far as it is told.
-
-    Where nobody speaks of the hand, going to an object ends in closing it, to a target in opening.
-    """
-    found: dict[str, bool] = {}
-    held: bool | None = None
-    for leaf in leaves:
-        if held is not None:
-            found[leaf.name] = held
-        known = task.object(leaf.action.object or "")
-        if known is not None and leaf.action.way not in ("depart", "up"):
-            held = {"object": True, "target": False}.get(known.role, held)
-    return found
-
-
-def _otherwise(between: Stretches, held: bool | None) -> Array:
-    """Return where a stretch begins with a hand that is not as told, shape (n,)."""
-    if held is None:
-        return np.zeros(len(between.at_s))
-    return np.asarray(between.held != held, dtype=float)
 
 
 def _objects(

@@ -13,6 +13,11 @@ import numpy as np
 from assistant.geometry import Array
 from assistant.learning.decoding import Lattice, Reading, backward, forward, log_sum
 
+_SAME_END_S = 0.4
+"""Steps whose ends lie so near to each other's are one and the same."""
+_MOST_PLACES, _LEAST_CHANCE = 5, 0.01
+"""So many places are told, and none that is less likely."""
+
 
 def cut_shares(
     reading: Reading, at_s: Array, cuts_s: Array, taken: Sequence[int | None], within_s: float
@@ -75,3 +80,38 @@ def unnamed_chances(lattice: Lattice) -> Array:
     onward = backward(lattice) + lattice.cuts[:, None] - skipped[-1, -1]
     spent = ahead[:, None] + lattice.unnamed[:, :, None] + onward
     return np.asarray(np.triu(np.sum(np.exp(np.minimum(spent, 0.0)), axis=2), 1))
+
+
+def unnamed_places(lattice: Lattice, at_s: Array) -> tuple[tuple[float, float, float], ...]:
+    """Return where steps nobody introduced may lie, the likeliest place first.
+
+    Readings differ in where just such a step begins and ends, but agree in what it spans: places
+    are told apart by instants in the midst of them.
+
+    Parameters
+    ----------
+    lattice : Lattice
+    at_s : array, shape (n,)
+        Its instants.
+
+    Returns
+    -------
+    places : tuple of (float, float, float)
+        From when to when, in s, the likeliest such step there lasts, and how likely there is one.
+    """
+    chances = unnamed_chances(lattice)
+    found: list[tuple[float, float, float]] = []
+    alike = (np.abs(at_s[:, None] - at_s) <= _SAME_END_S).astype(float)
+    while len(found) < _MOST_PLACES:
+        begun = np.cumsum(chances, axis=0)[:-1]
+        spanned = np.array([np.sum(row[k + 1 :]) for k, row in enumerate(begun)])
+        at = int(np.argmax(spanned))
+        if spanned[at] < _LEAST_CHANCE:
+            break
+        over = np.zeros_like(chances)
+        over[: at + 1, at + 1 :] = chances[: at + 1, at + 1 :]
+        together = np.where(over > 0.0, alike @ over @ alike, 0.0)
+        first, last = np.unravel_index(int(np.argmax(together)), together.shape)
+        found.append((float(at_s[first]), float(at_s[last]), float(min(spanned[at], 1.0))))
+        chances = chances - over
+    return tuple(found)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
@@ -19,16 +18,19 @@ Between asking about every lesson that went wrong and about none that went right
 printed by `tests.benchmarks.bench_confidence`.
 """
 
-LEFT_OUT = 0.2
-"""If steps were more likely than this never shown, the likeliest is asked about, though seen.
+LEFT_OUT = 0.15
+"""A step that is more likely than this never shown is asked about, though a part may be it.
 
 What was introduced is seldom left out; but who forgets a step has to be told.
 """
 
-UNHEARD = 0.15
+UNHEARD = 0.08
 """A step that nobody introduced, though all of it was taken for others, is asked about from this
 chance on.
 """
+
+RIVAL = 0.3
+"""Of the likeliest's chance: what is so likely, too, is asked about with it, as nobody can tell."""
 
 DOUBTED = "doubtfully_shown"
 """Why a step is asked about that a part is assigned to: it may never have been shown."""
@@ -42,7 +44,7 @@ def questions(
     episodes: tuple[Episode, ...],
     all_right: float = 1.0,
     left_out: Mapping[str, float] = MappingProxyType({}),
-    unheard: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    unheard: Sequence[tuple[float, float, float]] = (),
 ) -> tuple[Question, ...]:
     """Return the questions in the order in which they should be asked.
 
@@ -57,9 +59,9 @@ def questions(
         Probability that all cuts are right.
     left_out : mapping of str to float
         Probabilities that primitives were never shown, though episodes are assigned to them.
-    unheard : (float, float, float)
-        From when to when, in s, a step nobody introduced was likeliest, and how likely it was,
-        though every episode is assigned to a primitive.
+    unheard : sequence of (float, float, float)
+        From when to when, in s, steps nobody introduced may lie, and how likely they do; it may
+        be that every episode is assigned to a primitive. The likeliest first.
     """
     leaves = primitives(task.tree)
     seen = {episode.primitive for episode in episodes}
@@ -76,8 +78,11 @@ def questions(
         if e.primitive in doubted
     ]
     unnamed = [(e.from_s, e.to_s, e.character) for e in episodes if e.primitive is None]
-    if not unnamed and unheard[2] > UNHEARD:
-        unnamed = [(*unheard[:2], character(evidence.smoothed, *unheard[:2]))]
+    unnamed += [
+        (from_s, to_s, character(evidence.smoothed, from_s, to_s))
+        for from_s, to_s in _unheard(unheard)
+        if not any(a < 0.5 * (from_s + to_s) < b for a, b, _ in unnamed)
+    ]
     found += [
         _ask(
             "missing_step",
@@ -98,11 +103,16 @@ def questions(
 
 
 def _doubted(leaves: Sequence[Primitive], left_out: Mapping[str, float]) -> set[str]:
-    """Return the primitives likeliest left out, as many as were by the sum of the chances."""
+    """Return the primitives that may have been left out; which of like ones, nobody can tell."""
     chances = {leaf.name: left_out.get(leaf.name, 0.0) for leaf in leaves if not leaf.optional}
-    count = math.ceil(sum(chances.values()) - LEFT_OUT)
-    likeliest = sorted(chances, key=lambda name: -chances[name])[: max(count, 0)]
-    return {name for name in likeliest if chances[name] > 0.5 * LEFT_OUT}
+    least = max(LEFT_OUT, RIVAL * max(chances.values(), default=0.0))
+    return {name for name, chance in chances.items() if chance > least}
+
+
+def _unheard(places: Sequence[tuple[float, float, float]]) -> list[tuple[float, float]]:
+    """Return where a step may lie that nobody introduced; in which of like places, is unknown."""
+    least = max(UNHEARD, RIVAL * max((chance for _, _, chance in places), default=0.0))
+    return [(from_s, to_s) for from_s, to_s, chance in places if chance > least]
 
 
 def _unsure(points: tuple[SegmentationPoint, ...], episodes: tuple[Episode, ...]) -> list[Question]:

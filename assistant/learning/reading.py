@@ -14,7 +14,7 @@ from assistant.learning.decoding import Lattice, Reading, decode
 from assistant.learning.following import Following, following, jogged
 from assistant.learning.introduction import orders, other_orders
 from assistant.learning.passing import passed
-from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
+from assistant.learning.posterior import cut_shares, unnamed_places, whole_evidence
 from assistant.learning.scoring import heard_lattice, motion_lattice, reordered, told_lattice
 from assistant.model.demonstration import Demonstration
 from assistant.model.settings import CueSettings, SegmentationSettings
@@ -22,6 +22,7 @@ from assistant.model.task import Task, primitives
 
 _SAME_CUT_S = 0.4
 """Cuts so near to each other are one and the same."""
+_AT_THE_END = 1.0 / 3.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -78,17 +79,20 @@ class Understood:
             for leaf, chance in zip(self.order, shown, strict=True)
         }
 
-    def unheard(self) -> tuple[float, float, float]:
-        """Return from when to when a step nobody introduced was likeliest, and how likely it was.
+    def unheard(self) -> tuple[tuple[float, float, float], ...]:
+        """Return from when to when steps nobody introduced may lie, and how likely they do.
 
-        In seconds; nothing where nothing was decoded. A hand that leaves at the end, when all is
-        done, is no step that somebody should have told.
+        In seconds, the likeliest first; nothing where nothing was decoded. A hand that leaves at
+        the end, when all is done, is seldom a step that somebody should have told.
         """
         if self.lattice is None:
-            return 0.0, 0.0, 0.0
-        chances = unnamed_chances(self.lattice)[:, :-1]
-        first, last = np.unravel_index(int(np.argmax(chances)), chances.shape)
-        return float(self.at_s[first]), float(self.at_s[last]), float(chances[first, last])
+            return ()
+        end_s = float(self.at_s[-1])
+        told = [
+            (from_s, to_s, chance * (_AT_THE_END if to_s == end_s else 1.0))
+            for from_s, to_s, chance in unnamed_places(self.lattice, self.at_s)
+        ]
+        return tuple(sorted(told, key=lambda place: -place[2]))
 
 
 def read(

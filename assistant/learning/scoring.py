@@ -15,6 +15,7 @@ from assistant.learning.candidates import Candidate, Evidence
 from assistant.learning.cue_lag import Lag, support
 from assistant.learning.decoding import Lattice
 from assistant.learning.fit import fits
+from assistant.learning.handling import acted, untold
 from assistant.learning.leading import unled
 from assistant.learning.stretches import Stretches, stretches
 from assistant.model.demonstration import Demonstration
@@ -138,13 +139,18 @@ def _stretches(
     given = settings.decoding
     between = stretches(at_s, evidence, near_s)
     brief = np.where(between.lasting_s < settings.validity.least_s, _BRIEF, 0.0)
-    skips = [given.skip_optional if leaf.optional else given.skip for leaf in primitives(task.tree)]
+    leaves = primitives(task.tree)
+    free = -rare * given.insert + brief - given.nothing * _nothing(between)
+    if demonstration.recording.gripper_m is not None:
+        free = free + rare * given.untold * untold(leaves, task, between)
+        free = free + 0.5 * given.event * acted(leaves, between)
+    skips = [given.skip_optional if leaf.optional else given.skip for leaf in leaves]
     return Lattice(
         cuts=np.zeros(len(at_s)),
         steps=fits(task, demonstration, evidence, between, settings),
-        unnamed=-rare * given.insert + brief - given.nothing * _nothing(between),
+        unnamed=free,
         skips=-rare * np.array(skips),
-        unled=unled(primitives(task.tree), between, settings),
+        unled=unled(leaves, between, settings),
     )
 
 

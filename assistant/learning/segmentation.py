@@ -136,9 +136,8 @@ def _told(
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
     found = points(understood, evidence, votes, cues_s, settings)
     parts = _reassigned(episodes(understood, evidence, leaves), assigned, task)
-    sure, left_out, unheard = 1.0, dict[str, float](), (0.0, 0.0, 0.0)
+    sure, left_out = 1.0, dict[str, float]()
     if not told:
-        unheard = understood.unheard()
         left_out = {leaves[k].name: chance for k, chance in understood.left_out().items()}
         cuts = [point.confidence for point in found if point.kept and not point.internal]
         sure = all_right(understood, np.array(cuts), cues_s)
@@ -146,7 +145,16 @@ def _told(
         points=found,
         episodes=parts,
         cue_lag_s=lag_s,
-        questions=questions(task, demonstration, evidence, found, parts, sure, left_out, unheard),
+        questions=questions(
+            task,
+            demonstration,
+            evidence,
+            found,
+            parts,
+            sure,
+            left_out,
+            () if told else understood.unheard(),
+        ),
         vote_t_s=evidence.smoothed.t_s,
         vote=overall(votes, settings.votes.weights),
         signal_votes=MappingProxyType(votes),

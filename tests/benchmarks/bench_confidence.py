@@ -155,7 +155,9 @@ def judged(kind: str, way: str, shown: Shown) -> Judged | None:
 def _step_asked(told: Understood) -> bool:
     taken = told.reading.taken
     seen = None not in taken and len(taken) == len(told.order)
-    return not seen or told.unheard()[2] > UNHEARD or sum(told.left_out().values()) > LEFT_OUT
+    chances = [*told.left_out().values(), 0.0]
+    unheard = any(chance > UNHEARD for _, _, chance in told.unheard())
+    return not seen or unheard or max(chances) > LEFT_OUT
 
 
 def _features(told: Understood, cues_s: Array) -> Array:

@@ -28,14 +28,25 @@ def ours(shown: Shown, settings: SegmentationSettings | None = None) -> Segmenta
 def other_length(shown: Shown, seed: int, *, longer: bool) -> Shown:
     """Return the same demonstration with a tree one step too long or too short."""
     rng = np.random.default_rng(seed)
-    leaves = list(primitives(shown.task.tree))
-    at = int(rng.integers(1, len(leaves)))
+    leaves = primitives(shown.task.tree)
+    one = leaves[int(rng.integers(1, len(leaves)))]
+    instead: tuple[Primitive, ...] = ()
     if longer:
         way = str(rng.choice(["left", "forward", "up", "down"]))
-        leaves.insert(at, Primitive("one too many", Action("move", way)))
-    else:
-        del leaves[at]
-    return replace(shown, task=replace(shown.task, tree=Subtask("told", tuple(leaves))))
+        instead = (Primitive("one too many", Action("move", way)), one)
+    tree = _replaced(shown.task.tree, one, instead)
+    return replace(shown, task=replace(shown.task, tree=tree))
+
+
+def _replaced(tree: Subtask, one: Primitive, instead: tuple[Primitive, ...]) -> Subtask:
+    """Return the tree with other leaves in place of one; what is in any order stays so."""
+    parts: list[Subtask | Primitive] = []
+    for part in tree.parts:
+        if isinstance(part, Subtask):
+            parts.append(_replaced(part, one, instead))
+        else:
+            parts += instead if part == one else (part,)
+    return replace(tree, parts=tuple(parts))
 
 
 def told_coarsely(shown: Shown, seed: int) -> Shown | None:

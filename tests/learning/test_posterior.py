@@ -7,7 +7,7 @@ import pytest
 
 from assistant.geometry import Array
 from assistant.learning.decoding import Lattice, decode
-from assistant.learning.posterior import cut_shares, unnamed_chances, whole_evidence
+from assistant.learning.posterior import cut_shares, unnamed_chances, unnamed_places, whole_evidence
 
 AT_S = np.array([0.0, 1.0, 1.2, 2.5, 4.0])
 
@@ -103,3 +103,38 @@ def test_chances_of_steps_nobody_introduced_are_sums_over_readings(seed: int) ->
     # Whatever ends at an instant is a step introduced, or none.
     ends = np.sum(told, axis=0)[1:] + np.sum(best.step_chances, axis=1)[1:]
     assert ends == pytest.approx(best.cut_chances[1:])
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_place_is_as_likely_as_the_readings_with_such_a_step_over_its_midst(seed: int) -> None:
+    given = lattice(seed)
+    every = readings(given)
+    whole = total([score for _, _, score in every])
+    shares = []
+    for k in range(len(AT_S) - 1):
+        spanned = [
+            score
+            for nodes, taken, score in every
+            for (a, b), at in zip(pairwise(nodes), taken, strict=True)
+            if at is None and a <= k < b
+        ]
+        shares.append(np.exp(total(spanned) - whole))
+    places = unnamed_places(given, AT_S)
+    assert places[0][2] == pytest.approx(max(shares))
+    # No reading counts for two places.
+    assert sum(chance for _, _, chance in places) <= np.sum(unnamed_chances(given)) + 1e-9
+    assert all(0.0 <= a < b <= AT_S[-1] for a, b, _ in places)
+
+
+def test_readings_that_differ_in_where_a_step_ends_tell_of_one_place() -> None:
+    n = len(AT_S)
+    steps = np.full((n, n, 1), -20.0)
+    unnamed = np.full((n, n), -20.0)
+    # A step nobody told begins at 0 s and ends at 1.0 or 1.2 s; the one told takes the rest.
+    unnamed[0, 1] = unnamed[0, 2] = 0.0
+    steps[1, 4, 0] = steps[2, 4, 0] = 0.0
+    given = Lattice(np.zeros(n), steps, unnamed, np.array([-30.0]), np.zeros((n, n, 1)))
+    ((from_s, to_s, chance),) = unnamed_places(given, AT_S)
+    assert from_s == 0.0
+    assert to_s in (1.0, 1.2)
+    assert chance == pytest.approx(1.0, abs=1e-3)

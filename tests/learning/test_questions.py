@@ -97,8 +97,11 @@ def test_the_step_likeliest_left_out_is_asked_for_even_where_a_part_may_be_it() 
         found = questions(TASK, shown, evidence, (cut(0.99),), parts, 1.0, chances)
         return [(q.reason, q.about, q.facts["from_s"], q.facts["to_s"]) for q in found]
 
-    assert named({"go up": 0.3, "go left": 0.05}) == [(DOUBTED, "go up", 0.0, 1.0)]
-    assert named({"go up": 0.6, "go left": 0.4}) == [(DOUBTED, "go up", 0.0, 1.0)]
+    first, second = (DOUBTED, "go up", 0.0, 1.0), (DOUBTED, "go left", 1.0, 2.0)
+    assert named({"go up": 0.3, "go left": 0.05}) == [first]
+    assert named({"go up": 0.9, "go left": 0.2}) == [first]
+    # Which of like steps was left out, nobody can tell: both are asked about.
+    assert named({"go up": 0.6, "go left": 0.4}) == [first, second]
     assert named({"go up": 0.1, "go left": 0.05, "wave": 0.9}) == []
 
 
@@ -112,7 +115,7 @@ def test_what_a_part_is_assigned_to_is_never_said_not_to_be_found() -> None:
 def test_a_step_nobody_introduced_is_asked_about_though_all_was_taken_for_others() -> None:
     shown, evidence = given()
 
-    def named(unheard: tuple[float, float, float]) -> list[tuple[object, object]]:
+    def named(*unheard: tuple[float, float, float]) -> list[tuple[object, object]]:
         parts = (FIRST, SECOND)
         found = questions(TASK, shown, evidence, (cut(0.99),), parts, unheard=unheard)
         assert {one.reason for one in found} <= {"never_introduced"}
@@ -120,3 +123,15 @@ def test_a_step_nobody_introduced_is_asked_about_though_all_was_taken_for_others
 
     assert named((0.0, 0.6, UNHEARD + 0.1)) == [(0.0, 0.6)]
     assert named((0.0, 0.6, UNHEARD - 0.05)) == []
+    # Where two places are as likely, nobody can tell; a third is much less so.
+    places = (0.0, 0.6, 0.5), (1.2, 1.8, 0.4), (0.6, 1.2, 0.1)
+    assert named(*places) == [(0.0, 0.6), (1.2, 1.8)]
+
+
+def test_a_part_taken_for_no_step_is_asked_about_once() -> None:
+    shown, evidence = given()
+    parts = (FIRST, replace(SECOND, primitive=None))
+    places = ((0.9, 2.0, 0.7), (0.0, 0.9, 0.3))
+    found = questions(TASK, shown, evidence, (cut(0.99),), parts, unheard=places)
+    spans = [(q.facts["from_s"], q.facts["to_s"]) for q in found if q.reason == "never_introduced"]
+    assert spans == [(1.0, 2.0), (0.0, 0.9)]

@@ -31,10 +31,10 @@ def without(shown: Shown, name: str) -> Shown:
 def test_a_step_left_out_of_the_introduction_is_found_where_it_was() -> None:
     shown = generator_a.generate(70_031)
     told = understood(without(shown, shown.names[2]))
-    from_s, to_s, chance = told.unheard()
+    from_s, to_s, chance = told.unheard()[0]
     assert chance > UNHEARD
     assert shown.cuts_s[1] < 0.5 * (from_s + to_s) < shown.cuts_s[2]
-    assert understood(shown).unheard()[2] < UNHEARD
+    assert not [place for place in understood(shown).unheard() if place[2] > UNHEARD]
 
 
 def test_where_the_teacher_cut_nothing_is_said_to_be_unheard() -> None:
@@ -42,7 +42,7 @@ def test_where_the_teacher_cut_nothing_is_said_to_be_unheard() -> None:
     evidence = gathered(shown.demonstration, shown.task, USUAL)
     told = read_cuts(shown.demonstration, shown.task, evidence, USUAL, shown.cuts_s)
     assert segment(shown.demonstration, shown.task, cuts_s=shown.cuts_s).questions == ()
-    assert told.unheard()[2] < UNHEARD
+    assert not [place for place in told.unheard() if place[2] > UNHEARD]
 
 
 @pytest.mark.parametrize("name", ["insertion", "pick_and_place", "sorting", "wiping"])
@@ -51,4 +51,14 @@ def test_a_hand_that_leaves_at_the_end_is_not_asked_about(name: str) -> None:
     folder = Path(__file__).parents[2] / "tasks"
     shown = read_demonstration(folder / "demonstrations" / f"{name}.yaml")
     found = segment(shown, read_task(folder / f"{name}.yaml"))
+    assert "never_introduced" not in {one.reason for one in found.questions}
+
+
+def test_a_block_is_carried_to_the_block_it_is_put_on() -> None:
+    """What a thing is put on may be a thing itself: its way there goes aside, then down."""
+    folder = Path(__file__).parents[2] / "tasks"
+    shown = read_demonstration(folder / "demonstrations" / "stacking.yaml")
+    found = segment(shown, read_task(folder / "stacking.yaml"))
+    lifted = next(one for one in found.episodes if one.primitive == "lift green block")
+    assert lifted.to_s == pytest.approx(23.5, abs=0.3)
     assert "never_introduced" not in {one.reason for one in found.questions}

@@ -61,7 +61,7 @@ class DecodingSettings:
 
     Those named by `tests.benchmarks.fit_decoding` are fitted by it, on made-up demonstrations and
     on people's; what too few of those show is set by hand: `turning`, `thing_astray`, `elsewhere`,
-    `skip_optional`, `unled`, `nothing`, `reorder`. None are from the paper.
+    `skip_optional`, `unled`, `untold`, `nothing`, `reorder`. None are from the paper.
     """
 
     bias: float = -3.8
@@ -93,6 +93,7 @@ class DecodingSettings:
     skip_optional: float = 2.0
     unled: float = 6.0
     insert: float = 5.8
+    untold: float = 4.0
     nothing: float = 4.75
     reorder: float = 4.0
 
