@@ -91,9 +91,11 @@ def checked(
     """
     for share in SHARES:
         part = interpolate(IDENTITY, offset, np.array(share))
-        better = corrected(motion, part, begin, full, stop)
-        if better is not None and free(better):
-            return better, part
+        # Where the hand cannot leave as corrected it comes back to the plan as it leaves.
+        for kept in (stop.left_at, stop.at):
+            better = corrected(motion, part, begin, full, stop, kept)
+            if better is not None and free(better):
+                return better, part
     return None
 
 
@@ -104,7 +106,7 @@ def matters(offset: Array) -> bool:
 
 
 def corrected(
-    motion: JointPath, offset: Array, begin: int, full: int, stop: HandStop
+    motion: JointPath, offset: Array, begin: int, full: int, stop: HandStop, kept: int | None = None
 ) -> JointPath | None:
     """Return the motion with its release moved by an offset; None if that cannot be done.
 
@@ -117,12 +119,17 @@ def corrected(
         Samples from which the offset may come in, and by which it must be there.
     stop : HandStop
         The release.
+    kept : int, optional
+        The sample up to which the offset is kept; where the hand has left if not given. An
+        offset that is given up earlier is gone by then.
     """
     last = _next_start(motion, stop)
     q = np.array(motion.q)
     part = slice(begin, last)
     samples = np.arange(begin, last, dtype=float)
-    weight = _ramp(samples, begin, full, stop.left_at, last - 1)
+    kept = stop.left_at if kept is None else kept
+    gone = stop.left_at if kept < stop.left_at else last - 1
+    weight = _ramp(samples, begin, full, kept, gone)
     # Only from docking on must the hand be exactly there; on its way the joints drift along.
     first, left = min(max(begin, stop.docking_at), stop.at), min(stop.left_at, last - 1)
     exact = slice(first, left + 1)

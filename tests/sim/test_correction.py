@@ -71,6 +71,27 @@ def test_a_free_stretch_along_a_limit_does_not_forbid_a_correction() -> None:
         assert np.all(np.abs(better.q) <= a465.LIMITS)
 
 
+def test_a_hand_that_cannot_leave_as_corrected_comes_back_to_the_plan_as_it_leaves() -> None:
+    planned = motion()
+    release = planned.stops[1]
+    q = np.array(planned.q)
+    leaving = slice(release.at, release.left_at + 1)
+    share = np.linspace(0.0, 1.0, release.left_at - release.at + 1)
+    q[leaving, 5] += share * (a465.LIMITS[5] - q[leaving, 5])
+    q[release.left_at :, 5] = a465.LIMITS[5]
+    at_limit = replace(planned, q=q, t_s=np.arange(len(q)) / 5.0)
+    begin = planned.stops[0].left_at
+    for sign in (-1.0, 1.0):
+        offset = pose_from_mm_deg((0, 0, 0), (sign, 0, 0))
+        done = checked(at_limit, offset, begin, release.docking_at, release, lambda _: True)
+        assert done is not None
+        better, part = done
+        np.testing.assert_allclose(part, offset)
+        assert np.all(np.abs(better.q) <= a465.LIMITS)
+        meant = compose(forward(q[release.at]), offset)
+        assert float(angle_between(meant, forward(better.q[release.at]))) < 1e-7
+
+
 def test_of_a_correction_that_would_touch_something_a_part_is_done() -> None:
     planned = motion()
     release = planned.stops[1]
