@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from assistant.geometry import Array
-from assistant.model.motion import HandPath, HandStop, JointPath, Refusal
+from assistant.model.motion import HandPath, HandStop, Indices, JointPath, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
@@ -48,6 +48,8 @@ ENOUGH = 1.4
 """A motion that lasts no longer than this share of the path's own time is good enough."""
 EASINGS: tuple[tuple[str, ...], ...] = ((), ("release",), ("release", "grasp", "touch"))
 """Kinds of stops whose departures may bend, tried in this order."""
+NEARER_M = 0.001
+"""Between the samples that were kept clear the motion may come so much nearer to things."""
 END_LIFTS_M = np.array([0.12, 0.08, 0.16, 0.05, 0.02])
 """A hand that cannot end where it should goes up so far from the last place it can take."""
 
@@ -245,6 +247,8 @@ def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
         return _beyond(fine, result, int(np.argmin(margin)))
     ticks = np.minimum(np.searchsorted(result.u_s, fine.u_s - 1e-9), len(result.u_s) - 1)
     owner = np.clip(np.searchsorted(fine.u_s, result.u_s, side="right") - 1, 0, len(q) - 1)
+    if (refusal := _touched_on_the_way(work, result, owner)) is not None:
+        return refusal
     speeds = np.abs(np.diff(result.q, axis=0)) * a465.CONTROL_HZ
     steps = np.linalg.norm(np.diff(forward(result.q)[:, :3], axis=0), axis=1)
     return JointPath(
@@ -258,6 +262,19 @@ def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
         float(np.max(steps, initial=0.0) * a465.CONTROL_HZ),
         note,
     )
+
+
+def _touched_on_the_way(work: _Work, result: Timed, owner: Indices) -> Refusal | None:
+    """Return what the motion comes too near to at its ticks, each after a sample of the path."""
+    gripper_m = np.interp(result.u_s, work.fine.u_s, work.fine.gripper_m)
+    for phase in work.phases:
+        chosen = np.flatnonzero((owner >= phase.first) & (owner <= phase.last))
+        if len(chosen) == 0:
+            continue
+        touch = phase.touches(result.q[chosen], gripper_m[chosen], owner[chosen])
+        if float(touch.gap[touch.worst]) < -NEARER_M:
+            return _collision(work.fine, touch, int(owner[chosen[touch.worst]]))
+    return None
 
 
 def _beyond(fine: FinePath, result: Timed, tick: int) -> Refusal:

@@ -17,7 +17,7 @@ from assistant.geometry import Array, rotate_vector
 from sim import a465
 from sim.branches import JUMP_RAD, SINGULAR_RAD, answers
 from sim.kinematics import Flags, forward, limit_margin, wrist_of
-from sim.search import searched
+from sim.search import filled, searched
 
 FAST = 1.4
 """A free part that asks for more than this share of a joint's speed is led around: near the
@@ -137,9 +137,11 @@ def _good(stretch: Stretch, q: Array) -> bool:
     if np.abs(np.diff(q, axis=0)).max(initial=0.0) > STEEP_RAD:
         return False
     # Most ways that touch something do so at one of a few samples: they are looked at first.
-    inside = q[1:-1]
-    coarse = inside[COARSE // 2 :: COARSE]
-    return all(bool(np.all(stretch.gap(part) >= 0.0)) for part in (coarse, inside) if len(part))
+    coarse = q[1 + COARSE // 2 : -1 : COARSE]
+    if len(coarse) and not np.all(stretch.gap(coarse) >= 0.0):
+        return False
+    inside = filled(q)[1:-1]
+    return len(inside) == 0 or bool(np.all(stretch.gap(inside) >= 0.0))
 
 
 def bad_samples(stretch: Stretch, q: Array) -> Flags:

@@ -36,9 +36,25 @@ def searched(start: Array, end: Array, gap: Gap, samples: int) -> Array | None:
     corners = _shortened(corners, gap, random)
     for share in (ROUND, ROUND / 3):
         way = _rounded(corners, samples, share)
-        if _free(way, gap):
+        if _free(filled(way), gap):
             return way
     return None
+
+
+def filled(q: Array) -> Array:
+    """Return joints, shape (m, 6), with more between them where they are far apart.
+
+    What is carried out goes through them as a spline does, so that is looked at.
+    """
+    from scipy.interpolate import CubicSpline
+
+    steps = np.abs(np.diff(q, axis=0)).max(axis=1, initial=0.0)
+    counts = np.maximum(np.ceil(steps / STEP_RAD), 1.0)
+    if not np.any(counts > 1.0):
+        return q
+    index = np.concatenate([[0.0], np.cumsum(counts)])
+    at = np.interp(np.arange(index[-1] + 1.0), index, np.arange(len(q)))
+    return np.asarray(CubicSpline(np.arange(len(q)), q)(at))
 
 
 def _free(q: Array, gap: Gap) -> bool:

@@ -24,6 +24,7 @@ from sim import a465
 from sim.kinematics import forward, limit_margin
 from sim.planner import A465Planner
 from sim.setups import random_setups
+from sim.timing import Timed, timed
 from tests.sim.hand_paths import TABLE1, pick_and_place, scene, setup, taught
 from tests.sim.test_timing import peaks
 
@@ -130,6 +131,21 @@ def test_a_post_at_the_target_is_refused_by_name() -> None:
 def test_things_inside_one_another_are_refused_as_a_setup(told: Setup, what: str) -> None:
     refusal = refused(scene(), told)
     assert (refusal.reason, refusal.what) == ("setup", what)
+
+
+def test_what_is_touched_between_the_samples_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    where, told = scene(), TABLE1[1]
+
+    def sagging(u_s: Array, q: Array, hand: Array, most_m_s: float) -> Timed:
+        result = timed(u_s, q, hand, most_m_s)
+        lower = np.array(result.q)
+        tick = int(np.searchsorted(result.u_s, 2.0))
+        lower[tick, 1] += 0.7
+        return replace(result, q=lower)
+
+    monkeypatch.setattr("sim.planner.timed", sagging)
+    refusal = refused(where, told)
+    assert (refusal.reason, refusal.what) == ("collision", "table")
 
 
 def test_a_body_inside_an_obstacle_is_refused_as_a_setup() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from assistant.geometry import Array
 from sim.branches import answers
@@ -75,6 +76,19 @@ def test_what_is_closed_has_no_way() -> None:
         free.u_s, free.poses, BRANCH, kept[0], kept[-1], lambda q: np.full(len(q), -1.0)
     )
     assert route(closed, kept) is None
+
+
+@pytest.mark.parametrize("at_rad", [0.42, 0.5, 0.58])
+def test_a_thin_wall_is_not_passed_between_two_samples(at_rad: float) -> None:
+    free, kept = stretch()
+    kept[SAMPLES // 2 :, 0] += 1.0
+    begin = float(kept[SAMPLES // 2 - 1, 0])
+
+    def walled(q: Array) -> Array:
+        return np.abs(q[:, 0] - begin - at_rad) - 0.03
+
+    thin = Stretch(free.u_s, free.poses, BRANCH, kept[0], kept[-1], walled)
+    assert route(thin, kept) is None
 
 
 def test_a_way_around_can_be_timed() -> None:
