@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from assistant.dialogue.bodies import with_body
+from assistant.dialogue.bodies import WIDEST_MM, too_wide, with_body
 from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
 from assistant.dialogue.naming import (
     Value,
@@ -200,4 +200,6 @@ def _body(known: Knowledge, thing: str, value: Value) -> Answered:
     told = read_body(text_of(value), known.language, thing)
     if told.size_mm is None:
         return Answered(known, (line("error", "size", thing=thing),))
-    return Answered(with_body(known, thing, told.shape or "box", told.size_mm))
+    after = with_body(known, thing, told.shape or "box", told.size_mm)
+    wide = (line("told", "too_wide", thing=thing, most_mm=WIDEST_MM),)
+    return Answered(after, wide if too_wide(after) == thing else ())

@@ -66,9 +66,18 @@ def thing_meant(dialogue: Dialogue, act: acts.SetPose) -> str:
 
 
 def pointed_at(dialogue: Dialogue) -> str:
-    """Return the thing that "it" is: the one moved last, else the one that is carried."""
+    """Return the thing that "it" is: the one in the way, or moved last, else what is carried."""
     carried = [one.name for one in dialogue.known.objects or () if one.role == "object"]
-    return _last_moved(dialogue) or (carried[0] if len(carried) == 1 else "")
+    return _refused(dialogue) or _last_moved(dialogue) or (carried[0] if len(carried) == 1 else "")
+
+
+def _refused(dialogue: Dialogue) -> str:
+    """Return the one thing at which a run was refused; the robot advises to move "it"."""
+    refusal, things = dialogue.refusal, dialogue.known.objects or ()
+    if refusal is None or not isinstance(dialogue.state, Ready):
+        return ""
+    named = [one.name for one in things if one.name in refusal.where]
+    return named[0] if len(named) == 1 else ""
 
 
 def _last_moved(dialogue: Dialogue) -> str:

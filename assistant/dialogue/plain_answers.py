@@ -89,6 +89,8 @@ def tells_body(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
 
 def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str) -> bool:
     """Whether words plainly answer, by what they tell: an action, a size, a number, a place."""
+    if _tells_place(dialogue, meant):
+        return True
     named = (isinstance(act, acts.Inform) or answers_by_words(dialogue, act) for act in meant)
     if not meant or not all(named):
         return False
@@ -117,6 +119,16 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
         case asked:
             # What the robot has no word for is done as shown, and read back with the plan.
             return asked == "actions"
+
+
+def _tells_place(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
+    """Whether three numbers answer where the thing asked about is; they are read back."""
+    state, only = dialogue.state, meant[0] if len(meant) == 1 else None
+    if not isinstance(state, Introducing) or state.asked != "pose" or dialogue.pending is not None:
+        return False
+    if not isinstance(only, acts.SetPose) or only.position_mm is None:
+        return False
+    return only.object.lower() in ("", state.thing.lower())
 
 
 def _values(act: acts.TeacherAct) -> tuple[str, ...]:

@@ -87,15 +87,21 @@ def mentioned_objects(
 
 
 def _telling_apart(names: Sequence[str]) -> dict[str, str]:
-    """Return the words that tell things of one kind apart: "red" is the red of two blocks."""
+    """Return other words that mean one thing: "red" is the red of two blocks, "box" the blue box.
+
+    What a thing is comes last in its name.
+    """
     heads = [name.lower().split()[-1] for name in names if name]
+    sole = {name.lower().split()[-1]: name for name in names if len(name.split()) > 1}
+    sole = {head: name for head, name in sole.items() if heads.count(head) == 1}
     told = {
         name: name.lower().split()[:-1]
         for name in names
         if name and heads.count(name.lower().split()[-1]) > 1
     }
     every = [word for words in told.values() for word in words]
-    return {word: name for name, words in told.items() for word in words if every.count(word) == 1}
+    apart = {word: name for name, words in told.items() for word in words if every.count(word) == 1}
+    return {**sole, **apart}
 
 
 def called_things(name: str, language: str = "english") -> tuple[str, ...]:

@@ -129,3 +129,16 @@ def test_a_place_asked_for_may_be_told_by_another_thing() -> None:
     told("20 cm right of the block", teacher=teacher)
     gap = at_mm(teacher.dialogue.known, "target") - at_mm(teacher.dialogue.known, "block")
     assert gap[:2] == pytest.approx((0, -200), abs=0.1)
+
+
+def test_it_is_what_the_robot_advised_to_move() -> None:
+    teacher = Lessons().ready().hear(acts.Start())
+    setup = teacher.dialogue.known.setup
+    refusal = Refusal("joint_limit", "release at target", "joint 3", hint="farther")
+    teacher.happen(ev.Checked(setup, refusal))
+    before = teacher.dialogue.known
+    assert "move it farther away" in phrase(teacher.lines[0])
+    told("move it farther away", teacher=teacher)
+    away = np.linalg.norm(at_mm(teacher.dialogue.known, "target")[:2])
+    assert away == pytest.approx(np.linalg.norm(at_mm(before, "target")[:2]) + 50.0, abs=0.1)
+    assert at_mm(teacher.dialogue.known, "block") == pytest.approx(at_mm(before, "block"))

@@ -67,3 +67,17 @@ def test_what_the_hand_cannot_go_around_is_told_once_it_never_closed() -> None:
 
     assert "75 millimetres at most, and the cup is wider" in shown("8 cm wide and 7 high")
     assert "wider" not in shown("7 cm wide and 8 high")
+
+
+@pytest.mark.parametrize(("size", "wide"), [("9 by 9 by 10 cm", True), ("9 by 4 by 10 cm", False)])
+def test_what_is_too_wide_to_hold_is_told_at_once(size: str, wide: bool) -> None:
+    teacher = Lessons().open().tell("move the drum").tell("the drum stands on the mat")
+    teacher.tell(("drum", "mat"))
+    assert teacher.asked == "body"
+    teacher.tell(f"a box, {size}")
+    assert ("told.too_wide" in teacher.topics) == wide
+    # What is not carried may be as wide as it is.
+    while teacher.asked == "pose":
+        teacher.tell("I will show you")
+    assert teacher.asked == "body"
+    assert "told.too_wide" not in teacher.tell("a box, 30 by 30 by 1 cm").topics

@@ -103,4 +103,19 @@ def test_a_place_of_nothing_is_one_of_the_thing_asked_about() -> None:
     teacher = Lessons().open().tell("tea").tell("done").tell(("teapot", "target"))
     teacher.tell("a box, 10 by 10 by 10")
     teacher.hear(acts.SetPose("", (500.0, 100.0, 240.0)), text="500 x 100 x 240", sure=0.6)
-    assert teacher.lines[0].slots["acts"][0]["object"] == "teapot"
+    assert teacher.topics[0] == "read_back.place"
+    assert teacher.lines[0].slots["thing"] == "teapot"
+
+
+def test_help_is_given_however_unsurely_it_was_asked_for() -> None:
+    teacher = Lessons().introduce().hear(acts.Help(), text="what can I change", sure=0.5)
+    assert teacher.topics == ["help.confirm_tree", "confirm.tree"]
+
+
+def test_three_numbers_plainly_tell_a_place_that_was_asked_for() -> None:
+    teacher = Lessons().open().tell("move the drum").tell("the drum stands on the mat")
+    teacher.tell(("drum", "mat")).tell("a box, 3 by 3 by 10 cm")
+    assert teacher.asked == "pose"
+    said(teacher, "500, -200, 240")
+    assert teacher.topics[0] == "read_back.place"
+    assert teacher.dialogue.known.setup.places["drum"].xyz_mm == (500.0, -200.0, 240.0)

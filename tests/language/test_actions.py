@@ -77,3 +77,13 @@ def test_what_is_told_to_a_friend_in_german_names_its_motion(
     reading = read_action(text, (), "german")
     assert reading.action == Action(verb, way, None)
     assert reading.sure == sure
+
+
+def test_a_thing_is_meant_by_what_it_is_where_no_other_is_such() -> None:
+    cup, box = TaskObject("red cup", "object"), TaskObject("blue box", "target")
+    assert mentioned_objects("move the box 5 cm farther away", (cup, box)) == ("blue box",)
+    assert mentioned_objects("the cup goes on the box", (cup, box)) == ("red cup", "blue box")
+    # Of two boxes neither is just the box.
+    other = TaskObject("red box", "object")
+    assert mentioned_objects("move the box", (other, box)) == ()
+    assert mentioned_objects("move the blue one", (other, box)) == ("blue box",)
