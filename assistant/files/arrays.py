@@ -43,12 +43,15 @@ def recording_of_columns(columns: dict[str, Array], file: str) -> Recording:
 
 def recording_of_json(document: Document) -> Recording:
     """Return the recording a JSON document tells as columns of numbers."""
+    if document.flaws:
+        raise BadInput(document.flaws)
     value = document.value
     columns: dict[str, Array] = {}
     for name, column in value.items() if isinstance(value, dict) else ():
         numbers = isinstance(column, list) and all(shape_of(x) == "a number" for x in column)
         if not numbers:
-            raise BadInput.one(document.where([name]), f"{name} is not a list of numbers")
+            right = "[0.0, 0.1, ...]"
+            raise BadInput.one(document.where([name]), f"{name} is not a list of numbers", right)
         columns[name] = np.array(column, dtype=float)
     return recording_of_columns(columns, document.file)
 

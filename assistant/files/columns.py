@@ -36,7 +36,7 @@ def columns_of(header: list[str], where: str) -> list[int]:
         raise BadInput.one(where, "this is no recording", f"the first line is {','.join(COLUMNS)}")
     problems = [Problem(where, f"column {name!r} is not known", _meant(name)) for name in unknown]
     twice = sorted({name for name in names if names.count(name) > 1})
-    problems += [Problem(where, f"column {name!r} stands there twice") for name in twice]
+    problems += [Problem(where, f"column {name!r} stands there twice", "once") for name in twice]
     missing = [name for name in NEEDED if name not in names]
     if missing:
         right = f"the first line is {','.join(COLUMNS)}"

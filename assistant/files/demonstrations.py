@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Literal
 
 from pydantic import Field
 
-from assistant.errors import BadInput
+from assistant.errors import BadInput, Problem
 from assistant.files.forms import Form, Name, Number, check_format, the_document, validated
 from assistant.files.recordings import read_recording, write_recording
 from assistant.files.setups import SetupForm, setup_values
@@ -50,15 +51,16 @@ def read_demonstration(path: Path) -> Demonstration:
     BadInput
         With the problems of the file and of its recording.
     """
-    document = the_document(list(read_file(path)), str(path))
+    document = the_document(list(read_file(path, flawed=True)), str(path))
     check_format(document, FORMAT)
     return demonstration_of(document, path.parent)
 
 
 def demonstration_of(document: Document, folder: Path) -> Demonstration:
     """Return the demonstration a document tells; its recording lies relative to a folder."""
-    form = validated(DemonstrationFile, document)
-    recording = _recording(document, folder / form.recording)
+    found, problems = _recording(document, folder)
+    form = validated(DemonstrationFile, document, problems)
+    (recording,) = found
     return Demonstration(
         recording=recording,
         cues=tuple(each.spoken() for each in form.cues),
@@ -69,11 +71,21 @@ def demonstration_of(document: Document, folder: Path) -> Demonstration:
     )
 
 
-def _recording(document: Document, path: Path) -> Recording:
-    if not path.exists():
-        where = document.where(["recording"])
-        raise BadInput.one(where, f"there is no recording {path}", "a CSV file beside this file")
-    return read_recording(path)
+def _recording(
+    document: Document, folder: Path
+) -> tuple[tuple[Recording, ...], tuple[Problem, ...]]:
+    """Return the recording, or what is wrong with it, to be told together with the rest."""
+    told = document.value.get("recording") if isinstance(document.value, dict) else None
+    if not isinstance(told, str) or not told:
+        return (), ()
+    path = folder / told
+    if not os.path.exists(path) or os.path.isdir(path):
+        what, right = f"there is no recording {path}", "a CSV file beside this file"
+        return (), (Problem(document.where(["recording"]), what, right),)
+    try:
+        return (read_recording(path),), ()
+    except BadInput as error:
+        return (), error.problems
 
 
 def write_demonstration(demonstration: Demonstration, path: Path) -> None:

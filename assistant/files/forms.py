@@ -7,7 +7,6 @@ of this package turns one into the other. The forms also give the JSON Schemas f
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from difflib import get_close_matches
 from typing import Annotated, Any, TypeVar
 
 from pydantic import (
@@ -26,6 +25,7 @@ from pydantic import (
 from pydantic_core import ErrorDetails
 
 from assistant.errors import BadInput, Problem
+from assistant.files.complaints import complaint, short
 from assistant.plain_yaml import Document
 
 MOST_PROBLEMS = 50
@@ -33,9 +33,9 @@ MOST_PROBLEMS = 50
 
 def _one_line(text: str) -> str:
     if any(ord(char) < 32 or ord(char) == 127 for char in text):
-        raise ValueError("a name stands on one line, without control characters")
+        raise ValueError("a name with control characters; it stands on one line")
     if text != text.strip():
-        raise ValueError("a name has no spaces around it")
+        raise ValueError("a name with spaces around it; leave them out")
     return text
 
 
@@ -103,12 +103,13 @@ def check_format(document: Document, *formats: str) -> str:
     value = document.value
     known = " or ".join(formats)
     if not isinstance(value, dict) or "format" not in value:
-        raise BadInput.one(document.where(), "there is no format", f"begin with format: {known}")
+        right = f"begin with format: {known}"
+        raise BadInput([*document.flaws, Problem(document.where(), "there is no format", right)])
     told = value["format"]
     if told not in formats:
-        raise BadInput.one(
-            document.where(["format"]), f"format {told!r} is not known here", f"format: {known}"
-        )
+        what = f"format {short(told)} is not known here"
+        wrong = Problem(document.where(["format"]), what, f"format: {known}")
+        raise BadInput(_unique([*document.flaws, wrong]))
     return str(told)
 
 
@@ -120,18 +121,29 @@ def validated(form: type[AnyForm], document: Document, others: Sequence[Problem]
     form : type of Form
     document : Document
     others : sequence of Problem
-        Found already by looking at what no form can see.
+        Found already by looking at what no form can see; flaws of the document join them.
     """
     known: dict[int, list[str]] = {}
+    others = [*document.flaws, *others]
     try:
         filled = form.model_validate(document.value, context=known)
     except ValidationError as error:
-        found = error.errors(include_url=False)
-        problems = [*(_problem(detail, document, known) for detail in found), *others]
+        found = _last_missing(error.errors(include_url=False))
+        problems = [*others, *(_problem(detail, document, known) for detail in found)]
         raise BadInput(_unique(problems)[:MOST_PROBLEMS]) from error
     if others:
         raise BadInput(_unique(others)[:MOST_PROBLEMS])
     return filled
+
+
+def _last_missing(found: Sequence[ErrorDetails]) -> list[ErrorDetails]:
+    """Return what was found, of a list that is too short only the last value missing."""
+    last = {each["loc"][:-1]: each["loc"] for each in found if _is_missing_value(each)}
+    return [e for e in found if not _is_missing_value(e) or e["loc"] == last[e["loc"][:-1]]]
+
+
+def _is_missing_value(detail: ErrorDetails) -> bool:
+    return detail["type"] == "missing" and isinstance(detail["loc"][-1], int)
 
 
 def _unique(problems: Iterable[Problem]) -> list[Problem]:
@@ -144,9 +156,11 @@ def _line(problem: Problem) -> int:
 
 
 def _problem(detail: ErrorDetails, document: Document, known: dict[int, list[str]]) -> Problem:
-    place, holder = _followed(document.value, detail["loc"])
-    last = str(detail["loc"][-1]) if detail["loc"] else ""
-    what, right = _words(detail, last, known.get(id(holder), []))
+    unknown = detail["type"] == "extra_forbidden"
+    place, _ = _followed(document.value, detail["loc"])
+    # An unknown key is known of by the mapping that holds it, not by the one it may hold.
+    _, holder = _followed(document.value, detail["loc"][: -1 if unknown else None])
+    what, right = complaint(detail, known.get(id(holder), []))
     return Problem(document.where(place), what, right)
 
 
@@ -168,53 +182,3 @@ def _followed(value: Any, loc: Sequence[str | int]) -> tuple[list[str | int], An
         if isinstance(value, dict):
             holder = value
     return place, holder
-
-
-def _words(detail: ErrorDetails, last: str, keys: list[str]) -> tuple[str, str]:
-    """Return what is wrong and what would be right."""
-    kind, given, ctx = detail["type"], detail["input"], detail.get("ctx", {})
-    match kind:
-        case "missing":
-            return f"key {last!r} is missing", f"add {last}: ..."
-        case "extra_forbidden":
-            return f"unknown key {last!r}", _nearest(last, keys)
-        case "literal_error" | "union_tag_invalid":
-            told = ctx.get("tag", given)
-            return f"{_short(told)} is not known here", f"one of {_listed(ctx)}"
-        case "string_type":
-            hint = "put it in quotes" if isinstance(given, int | float) else "write a text"
-            return f"{_named(last)}{_short(given)} is not a text", hint
-        case "float_type" | "int_type" | "float_parsing" | "int_from_float":
-            return f"{_named(last)}{_short(given)} is not a number", "write a plain number"
-        case "too_long" | "too_short":
-            needed = ctx.get("max_length", ctx.get("min_length"))
-            return f"{_named(last)}{ctx.get('actual_length')} values", f"{needed} are needed"
-        case "value_error":
-            return f"{_named(last)}{ctx.get('error')}", ""
-        case _:
-            return f"{_named(last)}{_short(given)}: {_small(detail['msg'])}", ""
-
-
-def _nearest(key: str, keys: list[str]) -> str:
-    near = get_close_matches(key, keys, n=1, cutoff=0.6)
-    if near:
-        return f"did you mean {near[0]!r}?"
-    return f"known keys: {', '.join(keys)}" if keys else "remove it"
-
-
-def _listed(ctx: dict[str, Any]) -> str:
-    listed = ctx.get("expected", ctx.get("expected_tags", ""))
-    return str(listed).replace("'", "").replace(" or ", ", ")
-
-
-def _named(last: str) -> str:
-    return "" if not last or last.isdigit() or " " in last else f"{last}: "
-
-
-def _short(value: Any) -> str:
-    text = repr(value)
-    return text if len(text) <= 60 else f"{text[:57]}..."
-
-
-def _small(message: str) -> str:
-    return message[:1].lower() + message[1:]

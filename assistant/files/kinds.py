@@ -111,18 +111,22 @@ def _single(told: str, document: Document, path: Path) -> Known:
         case transcripts.FORMAT:
             play = transcripts.transcript_of(document)
             return Known("transcript", play, unknown_in_transcript(play, path))
-    raise BadInput.one(str(path), f"format {told!r} is not known")
+    raise BadInput.one(f"{path}:1", f"format {told!r} is not known", f"one of {', '.join(FORMATS)}")
 
 
 def _documents(path: Path) -> list[Document]:
     """Return the documents of a file; a list, as JSON has it, holds several."""
-    documents = [each for each in read_file(path) if each.value is not None]
+    documents = [each for each in read_file(path, flawed=True) if each.value is not None]
     if len(documents) != 1 or not isinstance(documents[0].value, list):
         return documents
     value, lines = documents[0].value, documents[0].lines
     parts = lines[1] if isinstance(lines, tuple) else []
     listed = parts if isinstance(parts, list) else []
-    return [Document(each, line, str(path)) for each, line in zip(value, listed, strict=True)]
+    flaws = documents[0].flaws
+    return [
+        Document(each, line, str(path), () if number else flaws)
+        for number, (each, line) in enumerate(zip(value, listed, strict=True))
+    ]
 
 
 def _is_recording(document: Document) -> bool:

@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from assistant.errors import BadInput, Problem
+from assistant.errors import BadInput
 from assistant.files.lesson_forms import PATH_COLUMNS, LearnedForm, PathForm, StationForm
+from assistant.files.lesson_problems import lesson_problems
 from assistant.files.tree_forms import conditions_of, conditions_values
 from assistant.geometry import Array
 from assistant.model.feedback import Feedback
@@ -23,11 +24,9 @@ from assistant.model.lesson import (
 )
 from assistant.plain_yaml import Document, tidy
 
-Place = list[str | int]
-
 
 def lesson_of(form: LearnedForm, document: Document, leaves: int) -> Lesson:
-    """Return the lesson a form tells; what does not fit together is a `BadInput`.
+    """Return the lesson a form tells.
 
     Parameters
     ----------
@@ -36,12 +35,19 @@ def lesson_of(form: LearnedForm, document: Document, leaves: int) -> Lesson:
         For messages.
     leaves : int
         Primitives of the tree.
+
+    Raises
+    ------
+    BadInput
+        With all that does not fit together.
     """
-    place: Place = ["learned"]
+    problems = lesson_problems(form, document, leaves)
+    if problems:
+        raise BadInput(problems)
     conditions = form.conditions.items()
-    lesson = Lesson(
-        segmentation=_segmentation(form, document, place),
-        path=_path(form.path, document, [*place, "path"], leaves) if form.path else None,
+    return Lesson(
+        segmentation=_segmentation(form),
+        path=None if form.path is None else _path(form.path),
         stations=tuple(_station(each) for each in form.docking),
         before={name: conditions_of(each.before) for name, each in conditions if each.before},
         until={name: conditions_of(each.until) for name, each in conditions if each.until},
@@ -51,25 +57,12 @@ def lesson_of(form: LearnedForm, document: Document, leaves: int) -> Lesson:
         approach_axis=form.approach_axis,
         jerk_m_s3=form.jerk_m_s3,
     )
-    problems = _stations_outside(lesson, document, [*place, "docking"])
-    if problems:
-        raise BadInput(problems)
-    return lesson
 
 
-def _segmentation(form: LearnedForm, document: Document, place: Place) -> Segmentation:
-    curves = np.zeros((0, 2))
-    names: tuple[str, ...] = ()
-    if form.votes is not None:
-        names = form.votes.columns[2:]
-        place = [*place, "votes"]
-        if form.votes.columns[:2] != ("t_s", "vote"):
-            raise BadInput.one(
-                document.where([*place, "columns"]),
-                "other columns than known",
-                "[t_s, vote, SIGNAL...]",
-            )
-        curves = _table(form.votes.rows, len(form.votes.columns), document, place)
+def _segmentation(form: LearnedForm) -> Segmentation:
+    votes = form.votes
+    names = () if votes is None else votes.columns[2:]
+    curves = np.zeros((0, 2)) if votes is None else _table(votes.rows, len(votes.columns))
     return Segmentation(
         points=tuple(SegmentationPoint(**each.model_dump()) for each in form.points),
         episodes=tuple(Episode(**each.model_dump()) for each in form.episodes),
@@ -91,48 +84,14 @@ def _frozen(value: Any) -> Any:
     return tuple(_frozen(part) for part in value) if isinstance(value, list) else value
 
 
-def _path(form: PathForm, document: Document, place: Place, leaves: int) -> LearnedPath:
-    with_gripper = (*PATH_COLUMNS, "gripper_m", "primitive")
-    if form.columns not in (with_gripper, (*PATH_COLUMNS, "primitive")):
-        raise BadInput.one(
-            document.where([*place, "columns"]),
-            "other columns than known",
-            f"[{', '.join(with_gripper)}]",
-        )
-    table = _table(form.rows, len(form.columns), document, place)
-    _check_path(table, document, [*place, "rows"], leaves)
-    gripper = table[:, 8] if form.columns == with_gripper else None
+def _path(form: PathForm) -> LearnedPath:
+    table = _table(form.rows, len(form.columns))
+    gripper = table[:, 8] if "gripper_m" in form.columns else None
     return LearnedPath(table[:, 0], table[:, 1:8], gripper, table[:, -1].astype(np.int64))
 
 
-def _table(rows: list[list[float]], columns: int, document: Document, place: Place) -> Array:
-    wrong = [number for number, row in enumerate(rows) if len(row) != columns]
-    if wrong:
-        right = f"{columns} as in columns:"
-        raise BadInput(
-            [
-                Problem(document.where([*place, "rows", at]), f"{len(rows[at])} numbers", right)
-                for at in wrong[:20]
-            ]
-        )
+def _table(rows: Sequence[Sequence[float]], columns: int) -> Array:
     return np.array(rows, dtype=float).reshape(len(rows), columns)
-
-
-def _check_path(table: Array, document: Document, place: Place, leaves: int) -> None:
-    length = np.linalg.norm(table[:, 4:8], axis=1)
-    leaf = table[:, -1]
-    wrong = {
-        "time does not increase": np.diff(table[:, 0], prepend=-np.inf) <= 0,
-        "the quaternion's length is not 1": np.abs(length - 1.0) > 1e-3,
-        f"there is no such primitive: the tree has {leaves}": ~np.isin(leaf, range(-1, leaves)),
-    }
-    problems = [
-        Problem(document.where([*place, int(at)]), what)
-        for what, rows in wrong.items()
-        for at in np.flatnonzero(rows)[:5]
-    ]
-    if problems:
-        raise BadInput(problems)
 
 
 def _station(form: StationForm) -> Station:
@@ -140,21 +99,6 @@ def _station(form: StationForm) -> Station:
     for name in ("frame_to_world", "hand_in_frame", "docking_in_frame"):
         values[name] = np.array(values[name])
     return Station(**values)
-
-
-def _stations_outside(lesson: Lesson, document: Document, place: Place) -> list[Problem]:
-    samples = len(lesson.path.t_s) if lesson.path is not None else 0
-    problems = []
-    for number, station in enumerate(lesson.stations):
-        for key, at in (
-            ("at", station.at),
-            ("docking_at", station.docking_at),
-            ("left_at", station.left_at),
-        ):
-            if at >= samples:
-                where = document.where([*place, number, key])
-                problems.append(Problem(where, f"{key}: the path has {samples} rows"))
-    return problems
 
 
 def learned_values(lesson: Lesson) -> dict[str, Any]:

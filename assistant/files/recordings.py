@@ -8,7 +8,8 @@ be meant, such as NaN or time running backward, is refused with its line.
 from __future__ import annotations
 
 import io
-from collections.abc import Iterable
+import re
+from collections.abc import Collection, Iterable, Sequence
 from itertools import islice
 from pathlib import Path
 from typing import Protocol
@@ -24,13 +25,13 @@ from assistant.plain_yaml import text_of
 
 MOST_BYTES = 256_000_000
 MOST_PROBLEMS = 20
-MOST_COUNTED = 1000
 FEWEST_SAMPLES = 3
 FARTHEST_M = 20.0
 WIDEST_M = 1.0
 NEARLY_UNIT = 0.05
 """A quaternion this far from length 1 is rounding of a log; beyond, it is something else."""
 EXACTLY_UNIT = 1e-12
+SAMPLES = "one line a sample, as many numbers as columns"
 Numbers = np.ndarray[tuple[int], np.dtype[np.int64]]
 
 
@@ -49,8 +50,9 @@ def recording_of(text: str, file: str) -> Recording:
     """Return the recording a CSV text tells; `file` is its name for messages."""
     header, after = _header(text, file)
     order = columns_of(header.split(","), f"{file}:{after}")
-    table = _table(text, file, after, len(order))[:, np.argsort(order)]
-    return checked_recording(table, _Lines(text, file, after))
+    rows, bad = _table(text, file, after, len(order))
+    unreadable = {each.where for each in bad}
+    return checked_recording(rows[:, np.argsort(order)], _Lines(text, file, after, unreadable), bad)
 
 
 class Places(Protocol):
@@ -66,13 +68,14 @@ class Places(Protocol):
 class _Lines:
     """Finds the line of a row; looked for only when there is something to complain about."""
 
-    def __init__(self, text: str, file: str, after: int) -> None:
-        self.text, self.file, self.after = text, file, after
+    def __init__(self, text: str, file: str, after: int, left_out: Collection[str] = ()) -> None:
+        self.text, self.file, self.after, self.left_out = text, file, after, left_out
 
     def where(self, rows: list[int]) -> list[str]:
         """Return ``file:line`` of rows counted from 0."""
-        numbers = [number for number, _ in _data_lines(self.text, self.after)]
-        return [f"{self.file}:{numbers[row]}" for row in rows]
+        every = (f"{self.file}:{number}" for number, _ in _data_lines(self.text, self.after))
+        known = [where for where in every if where not in self.left_out]
+        return [known[row] for row in rows]
 
 
 def _header(text: str, file: str) -> tuple[str, int]:
@@ -92,18 +95,35 @@ def _data_lines(text: str, after: int) -> Iterable[tuple[int, str]]:
             yield number, bare
 
 
-def _table(text: str, file: str, after: int, columns: int) -> Array:
-    """Return the numbers below the header, shape (n, columns)."""
+def _table(text: str, file: str, after: int, columns: int) -> tuple[Array, list[Problem]]:
+    """Return the numbers below the header, shape (n, columns), and what is wrong with lines.
+
+    What lines that cannot be read would have told is left out.
+    """
     start = _offset_after(text, after)
     if next(iter(_data_lines(text, after)), None) is None:
-        raise BadInput.one(f"{file}:{after}", "there are no samples below the header")
+        raise BadInput.one(f"{file}:{after}", "there are no samples below the header", SAMPLES)
     try:
         table = np.loadtxt(io.StringIO(text[start:]), delimiter=",", ndmin=2)
-    except ValueError as error:
-        raise BadInput(_bad_lines(text, file, after, columns)) from error
-    if table.shape[1] != columns or len(table) == 0:
-        raise BadInput(_bad_lines(text, file, after, columns))
-    return table
+    except ValueError:
+        table = np.empty((0, 0))
+    if table.shape[1] == columns:
+        return table, []
+    return _readable(text, file, after, columns)
+
+
+def _readable(text: str, file: str, after: int, columns: int) -> tuple[Array, list[Problem]]:
+    """Return the numbers of the lines that can be read, and complaints about the others."""
+    problems, rows = [], []
+    for number, line in _data_lines(text, after):
+        cells = line.split(",")
+        what = _why_bad(cells, columns)
+        if what:
+            right = f"{columns} numbers separated by commas, as in the header"
+            problems.append(Problem(f"{file}:{number}", what, right))
+        else:
+            rows.append([float(cell) for cell in cells])
+    return np.array(rows, dtype=float).reshape(len(rows), columns), problems
 
 
 def _offset_after(text: str, lines: int) -> int:
@@ -111,19 +131,6 @@ def _offset_after(text: str, lines: int) -> int:
     for _ in range(lines):
         offset = text.find("\n", offset) + 1 or len(text)
     return offset
-
-
-def _bad_lines(text: str, file: str, after: int, columns: int) -> list[Problem]:
-    problems = []
-    for number, line in _data_lines(text, after):
-        what = _why_bad(line.split(","), columns)
-        if what:
-            right = f"{columns} numbers separated by commas, as in the header"
-            problems.append(Problem(f"{file}:{number}", what, right))
-        if len(problems) >= MOST_COUNTED:
-            break
-    none = Problem(f"{file}:{after}", "there are no samples below the header")
-    return _few(problems) or [none]
 
 
 def _why_bad(cells: list[str], columns: int) -> str:
@@ -139,17 +146,33 @@ def _why_bad(cells: list[str], columns: int) -> str:
     return ""
 
 
-def _few(problems: list[Problem]) -> list[Problem]:
-    if len(problems) <= MOST_PROBLEMS:
-        return problems
-    more = len(problems) - MOST_PROBLEMS
-    last = problems[MOST_PROBLEMS - 1]
-    return [*problems[:MOST_PROBLEMS], Problem(last.where, f"and {more} more lines like these")]
+def _few(problems: Sequence[Problem]) -> list[Problem]:
+    """Return problems in the order of their lines; of very many only how many there are."""
+    told = sorted(problems, key=_number)
+    if len(told) <= MOST_PROBLEMS:
+        return told
+    last, more = told[MOST_PROBLEMS - 1], len(told) - MOST_PROBLEMS
+    counted = Problem(last.where, f"and {more} more problems below", "mend these first")
+    return [*told[:MOST_PROBLEMS], counted]
 
 
-def checked_recording(table: Array, lines: Places) -> Recording:
-    """Return a recording from columns in the order of `COLUMNS`, or raise `BadInput`."""
-    problems = _problems(table, lines)
+def _number(problem: Problem) -> int:
+    found = re.search(r"\d+$", problem.where)
+    return int(found.group()) if found else 0
+
+
+def checked_recording(table: Array, lines: Places, others: Sequence[Problem] = ()) -> Recording:
+    """Return a recording from columns in the order of `COLUMNS`, or raise `BadInput`.
+
+    Parameters
+    ----------
+    table : array, shape (n, 8) or (n, 9)
+    lines : Places
+        Of the rows.
+    others : sequence of Problem
+        Found already; told with the rest.
+    """
+    problems = [*others, *_problems(table, lines, whole=not others)]
     if problems:
         raise BadInput(_few(problems))
     quats, length = table[:, 4:8], np.linalg.norm(table[:, 4:8], axis=1, keepdims=True)
@@ -158,12 +181,15 @@ def checked_recording(table: Array, lines: Places) -> Recording:
     return Recording(table[:, 0], path, table[:, 8] if table.shape[1] > 8 else None)
 
 
-def _problems(table: Array, lines: Places) -> list[Problem]:
+def _problems(table: Array, lines: Places, *, whole: bool) -> list[Problem]:
     finite = np.isfinite(table).all(axis=1)
     if not finite.all():
-        return _at(np.flatnonzero(~finite), lines, "a value is NaN or infinite", "leave it out")
-    length = np.linalg.norm(table[:, 4:8], axis=1)
-    found = [
+        wrong = np.flatnonzero(~finite)
+        found = _at(wrong, lines, "a value is NaN or infinite", "leave the line out")
+        return found + _problems(table[finite], _Among(lines, np.flatnonzero(finite)), whole=False)
+    with np.errstate(over="ignore"):
+        length = np.linalg.norm(table[:, 4:8], axis=1)
+    return [
         *_at(
             np.flatnonzero(np.diff(table[:, 0]) < 0) + 1,
             lines,
@@ -177,12 +203,30 @@ def _problems(table: Array, lines: Places) -> list[Problem]:
             "qx,qy,qz,qw of a rotation",
         ),
         *_too_far(table, lines),
+        *(_too_few(table, lines) if whole else ()),
     ]
+
+
+class _Among:
+    """Some rows of others, told where those are."""
+
+    def __init__(self, lines: Places, rows: Numbers) -> None:
+        self.file, self._lines, self._rows = lines.file, lines, rows
+
+    def where(self, rows: list[int]) -> list[str]:
+        """Return where rows counted from 0 are."""
+        return self._lines.where(self._rows[rows].tolist())
+
+
+def _too_few(table: Array, lines: Places) -> list[Problem]:
+    """Complain about a recording in which hardly anything, or no time, passes."""
+    last = np.array([len(table) - 1])
     if len(table) < FEWEST_SAMPLES:
         many = "1 sample" if len(table) == 1 else f"{len(table)} samples"
-        right = f"a recording has at least {FEWEST_SAMPLES}"
-        found.append(Problem(lines.file, f"only {many}", right))
-    return found
+        return _at(last, lines, f"only {many}", f"a recording has at least {FEWEST_SAMPLES}")
+    if table[0, 0] == table[-1, 0]:
+        return _at(last, lines, "no time passes", "t_s in seconds of every sample")
+    return []
 
 
 def _too_far(table: Array, lines: Places) -> list[Problem]:

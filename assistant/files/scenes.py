@@ -53,7 +53,7 @@ class BodyForm(Form):
         if not any(self.hole_mm):
             return self
         if self.shape != "box" or not all(self.hole_mm):
-            raise ValueError("a hole is in a box, and has x, y and depth")
+            raise ValueError("a hole that cannot be; it is in a box, and has x, y and depth")
         if any(hole >= size for hole, size in zip(self.hole_mm, self.size_mm, strict=True)):
             raise ValueError("the hole does not fit in the box; it is smaller on every side")
         return self
@@ -96,7 +96,7 @@ class SceneFile(Form):
 
 def read_scene(path: Path) -> Scene:
     """Return the scene of a file, or raise `BadInput` with all its problems."""
-    return scene_of(the_document(list(read_file(path)), str(path)))
+    return scene_of(the_document(list(read_file(path, flawed=True)), str(path)))
 
 
 def scene_of(document: Document) -> Scene:

@@ -30,9 +30,13 @@ class PlaceForm(Form):
         body = self.xyz_mm is not None
         hand = self.hand_xyz_mm is not None
         if body == hand:
-            raise ValueError("a place needs xyz_mm (of the body) or hand_xyz_mm, and not both")
+            raise ValueError(
+                "a place is told once; by xyz_mm (of the body) or hand_xyz_mm, and not both"
+            )
         if (self.rpy_deg if hand else self.hand_rpy_deg) is not None:
-            raise ValueError("xyz_mm goes with rpy_deg, hand_xyz_mm with hand_rpy_deg")
+            raise ValueError(
+                "two ways are mixed; xyz_mm goes with rpy_deg, hand_xyz_mm with hand_rpy_deg"
+            )
         return self
 
     def place(self) -> Place:
@@ -82,7 +86,7 @@ def read_setups(path: Path) -> tuple[Setup, ...]:
     BadInput
         With the problems of all documents, each as ``file:line``.
     """
-    documents = [each for each in read_file(path) if each.value is not None]
+    documents = [each for each in read_file(path, flawed=True) if each.value is not None]
     if not documents:
         raise BadInput.one(f"{path}:1", "the file is empty", f"begin with format: {FORMAT}")
     return setups_of(documents)

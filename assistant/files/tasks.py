@@ -45,7 +45,7 @@ def read_task(path: Path) -> Task:
     BadInput
         With every problem, each as ``file:line``.
     """
-    return task_of(the_document(list(read_file(path)), str(path)))
+    return task_of(the_document(list(read_file(path, flawed=True)), str(path)))
 
 
 def task_of(document: Document) -> Task:

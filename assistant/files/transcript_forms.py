@@ -79,9 +79,9 @@ class DemonstrateForm(Form):
     @model_validator(mode="after")
     def _one_source(self) -> DemonstrateForm:
         if (self.recording is None) == (self.hand is None):
-            raise ValueError("either recording: FILE.csv or hand: scripted is needed")
+            raise ValueError("nobody or two show it; either recording: FILE.csv or hand: scripted")
         if self.recording is not None and (self.seed is not None or self.cues == "auto"):
-            raise ValueError("seed and cues: auto go with hand: scripted")
+            raise ValueError("a recording has no seed; seed and cues: auto go with hand: scripted")
         return self
 
 
@@ -93,7 +93,7 @@ class SetupChoiceForm(SetupForm):
     @model_validator(mode="after")
     def _one_way(self) -> SetupChoiceForm:
         if self.file is not None and len(self.model_fields_set) > 1:
-            raise ValueError("file: stands alone")
+            raise ValueError("more than a file; file: stands alone")
         return self
 
 

@@ -8,6 +8,7 @@ from typing import Any, assert_never
 from assistant.files import transcript_forms as forms
 from assistant.files.demonstrations import spoken_values
 from assistant.files.setups import setup_values
+from assistant.files.step_problems import NEAR, pattern_in
 from assistant.model.robot_acts import About
 from assistant.model.transcript import (
     Demonstrate,
@@ -86,12 +87,6 @@ def _robot(times: Times, form: Line, line: int) -> RobotLine:
     )
 
 
-def pattern_in(words: str) -> str | None:
-    """Return the regular expression of ``/pattern/``, or None for plain words."""
-    is_pattern = len(words) > 2 and words.startswith("/") and words.endswith("/")
-    return words[1:-1] if is_pattern else None
-
-
 def _demonstrate(form: forms.DemonstrateForm, line: int) -> Demonstrate:
     cues = None if isinstance(form.cues, str) else tuple(each.spoken() for each in form.cues)
     spoken = tuple(each.spoken() for each in form.key_states)
@@ -116,7 +111,7 @@ def with_near(values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _near(value: Any) -> Any:
-    if isinstance(value, Mapping) and set(value) == {"near", "within"}:
+    if isinstance(value, Mapping) and set(value) == NEAR:
         return Near(float(value["near"]), float(value["within"]))
     if isinstance(value, Mapping):
         return with_near(value)

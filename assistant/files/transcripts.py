@@ -12,12 +12,13 @@ from io import FileIO
 from pathlib import Path
 from typing import Any
 
-from assistant.errors import BadInput, Problem
+from assistant.errors import BadInput
 from assistant.files.forms import check_format, the_document, validated
+from assistant.files.step_problems import step_problems
 from assistant.files.transcript_forms import TranscriptFile
 from assistant.files.transcript_steps import choice_of, choice_value, step_of, step_values
 from assistant.files.writing import cannot_write, write_text
-from assistant.model.transcript import RobotLine, Step, Transcript
+from assistant.model.transcript import Step, Transcript
 from assistant.plain_yaml import Document, read_text, text_of, write, write_item
 
 FORMAT = "transcript/1"
@@ -41,7 +42,7 @@ def read_transcript(path: Path, *, resume: bool = False) -> Transcript:
         With every problem, each as ``file:line``.
     """
     text = _untorn(path) if resume else text_of(path)
-    return transcript_of(the_document(list(read_text(text, str(path))), str(path)))
+    return transcript_of(the_document(list(read_text(text, str(path), flawed=True)), str(path)))
 
 
 def mend_transcript(path: Path) -> str:
@@ -80,13 +81,10 @@ def _whole(text: str) -> int:
 def transcript_of(document: Document) -> Transcript:
     """Return the transcript a document tells, its steps with their lines."""
     check_format(document, FORMAT)
-    form = validated(TranscriptFile, document)
+    form = validated(TranscriptFile, document, step_problems(document))
     steps = tuple(
         step_of(step, document.line(["steps", number])) for number, step in enumerate(form.steps)
     )
-    problems = _bad_patterns(steps, document)
-    if problems:
-        raise BadInput(problems)
     return Transcript(
         title=form.title,
         steps=steps,
@@ -96,18 +94,6 @@ def transcript_of(document: Document) -> Transcript:
         language=_LANGUAGES.get(form.language, form.language),
         source=document.file,
     )
-
-
-def _bad_patterns(steps: tuple[Step, ...], document: Document) -> list[Problem]:
-    problems = []
-    for step in steps:
-        if isinstance(step, RobotLine) and step.pattern is not None:
-            try:
-                re.compile(step.pattern)
-            except re.error as error:
-                where = f"{document.file}:{step.line}"
-                problems.append(Problem(where, f"bad /pattern/: {error}", "a regular expression"))
-    return problems
 
 
 def write_transcript(transcript: Transcript, path: Path) -> None:

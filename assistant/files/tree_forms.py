@@ -30,7 +30,9 @@ class ActionForm(Form):
     @model_validator(mode="after")
     def _one_verb(self) -> ActionForm:
         if sum(getattr(self, verb) is not None for verb in _VERBS) != 1:
-            raise ValueError("an action has exactly one of move, turn, hand and free")
+            raise ValueError(
+                "an action of none or several kinds; exactly one of move, turn, hand and free"
+            )
         return self
 
     def action(self) -> Action:
@@ -60,7 +62,8 @@ class ConditionForm(Form):
     @model_validator(mode="after")
     def _one_state(self) -> ConditionForm:
         if len(self.model_fields_set) != 1:
-            raise ValueError(f"a condition has exactly one of {', '.join(type(self).model_fields)}")
+            listed = ", ".join(type(self).model_fields)
+            raise ValueError(f"a condition of none or several kinds; exactly one of {listed}")
         return self
 
     def condition(self) -> Condition:
@@ -118,7 +121,7 @@ PartForm = Annotated[
     Discriminator(
         _kind,
         custom_error_type="part",
-        custom_error_message="a part is a mapping with the key primitive or subtask",
+        custom_error_message="this is no part; a mapping with the key primitive or subtask",
     ),
 ]
 

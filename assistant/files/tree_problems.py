@@ -44,8 +44,9 @@ def _named_twice(
     document: Document, place: Place, name: tuple[str, str], seen: dict[tuple[str, str], int]
 ) -> Iterator[Problem]:
     line = document.line(place)
-    first = seen.setdefault(name, line)
-    if first != line:
+    first = seen.get(name)
+    seen.setdefault(name, line)
+    if first is not None:
         what = f"the name {name[1]!r} stands here again (first on line {first})"
         yield Problem(
             f"{document.file}:{line}", what, "each name once, so that talk can refer to it"

@@ -22,9 +22,9 @@ MOST_PROBLEMS = 50
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
-def read_file(path: Path) -> tuple[Document, ...]:
+def read_file(path: Path, *, flawed: bool = False) -> tuple[Document, ...]:
     """Return every document of a file; see `read_text`."""
-    return read_text(text_of(path), str(path))
+    return read_text(text_of(path), str(path), flawed=flawed)
 
 
 def text_of(path: Path, most_bytes: int = MOST_BYTES) -> str:
@@ -41,7 +41,7 @@ def text_of(path: Path, most_bytes: int = MOST_BYTES) -> str:
         raise BadInput.one(str(path), "no such file", "check the name and the folder") from error
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or str(error)
-        raise BadInput.one(str(path), f"cannot be read ({why})") from error
+        raise BadInput.one(str(path), f"cannot be read ({why})", "another file") from error
     if len(data) > most_bytes:
         raise _too_big(path, "more than", most_bytes)
     return _decoded(data, str(path))
@@ -54,7 +54,7 @@ def _too_big(path: Path, told: str, most_bytes: int) -> BadInput:
 
 def _decoded(data: bytes, file: str) -> str:
     if b"\x00" in data[:4096]:
-        raise BadInput.one(file, "this is a binary file", "a text file in UTF-8 is needed")
+        raise BadInput.one(f"{file}:1", "this is a binary file", "a text file in UTF-8 is needed")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -62,7 +62,7 @@ def _decoded(data: bytes, file: str) -> str:
         raise BadInput.one(f"{file}:{line}", "not UTF-8 text", "save it as UTF-8") from error
 
 
-def read_text(text: str, file: str = "<text>") -> tuple[Document, ...]:
+def read_text(text: str, file: str = "<text>", *, flawed: bool = False) -> tuple[Document, ...]:
     """Return the documents of a YAML text.
 
     Parameters
@@ -70,6 +70,9 @@ def read_text(text: str, file: str = "<text>") -> tuple[Document, ...]:
     text : str
     file : str
         Its name, for messages.
+    flawed : bool
+        Go on in spite of repeated keys and tags, which then stand with their document: for
+        readers that tell them together with whatever else is wrong.
 
     Raises
     ------
@@ -77,18 +80,21 @@ def read_text(text: str, file: str = "<text>") -> tuple[Document, ...]:
         With every repeated key and tag, or the first place where it is no YAML.
     """
     builder = _Builder(file)
+    broken: Problem | None = None
     try:
         for event in yaml.parse(text, Loader=_LOADER):
             builder.take(event)
     except yaml.MarkedYAMLError as error:
-        builder.problems.append(_no_yaml(error, file))
+        broken = _no_yaml(error, file)
     except yaml.reader.ReaderError as error:
         line = text.count("\n", 0, error.position) + 1
         what = f"character number {error.character} does not belong into text"
-        builder.problems.append(Problem(f"{file}:{line}", what, "is this a binary file?"))
+        broken = Problem(f"{file}:{line}", what, "leave it out; is this a binary file?")
     except (UnicodeError, RecursionError) as error:
-        builder.problems.append(Problem(file, f"this is no text ({error})"))
-    if builder.problems:
+        broken = Problem(f"{file}:1", f"this is no text ({error})", "save it as UTF-8")
+    if broken is not None:
+        builder.problems.append(broken)
+    if builder.problems and (broken is not None or not flawed):
         raise BadInput(builder.problems[:MOST_PROBLEMS])
     return tuple(builder.documents)
 
@@ -146,6 +152,7 @@ class _Builder:
     problems: list[Problem] = field(default_factory=list)
     stack: list[_Open] = field(default_factory=list)
     anchors: dict[str, tuple[Value, Lines, int]] = field(default_factory=dict)
+    told: int = 0
 
     def take(self, event: yaml.Event) -> None:
         match event:
@@ -162,6 +169,7 @@ class _Builder:
                 self._alias(event)
             case yaml.DocumentStartEvent():
                 self.anchors.clear()
+                self.told = len(self.problems)
             case _:
                 pass
 
@@ -238,7 +246,8 @@ class _Builder:
         if anchor:
             self.anchors[anchor] = (value, lines, size)
         if not self.stack:
-            self.documents.append(Document(value, lines, self.file))
+            flaws = tuple(self.problems[self.told :])
+            self.documents.append(Document(value, lines, self.file, flaws))
             return
         top = self.stack[-1]
         top.size += size

@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from assistant.errors import Problem
+
 Value: TypeAlias = "str | int | float | bool | list[Value] | dict[str, Value] | None"
 Lines: TypeAlias = "int | tuple[int, dict[str, Lines] | list[Lines]]"
 
@@ -21,11 +23,14 @@ class Document:
         Counted from 1, in the shape of `value`.
     file : str
         Where it was read from, for messages.
+    flaws : sequence of Problem
+        Repeated keys and tags; only where the reader was told to go on in spite of them.
     """
 
     value: Value
     lines: Lines
     file: str
+    flaws: tuple[Problem, ...] = ()
 
     def line(self, place: Sequence[str | int] = ()) -> int:
         """Return the line of the value at a place, or of the nearest part above it."""

@@ -96,6 +96,8 @@ def test_what_cannot_be_meant_is_told(old: str, new: str, where: str, told: str)
         (HEADER + "\n# none\n", "no samples below"),
         ("\n".join([HEADER, *ROWS[:2]]), "only 2 samples; a recording has at least 3"),
         ("\n".join([HEADER, ROWS[0]]), "only 1 sample;"),
+        ("\n".join([HEADER, *[ROWS[0]] * 5]), "r.csv:6: no time passes; t_s in seconds"),
+        (GOOD.replace(",0.6,0,0,0,1,", ",0.6,0,0,0,1e300,"), "length is not 1"),
         (GOOD.replace(",", ";"), "separated by semicolons"),
         (GOOD.replace(",", "\t"), "separated by tabs"),
         ("Dear diary,\ntoday\n", "this is no recording"),

@@ -99,7 +99,12 @@ def test_lessons_of_any_shape_come_back(
         ("object: block}, until: [{h", "object: box}, until: [{h", 11, "there is no object 'box'"),
         ("primitive: grasp it", "primitive: go there", 11, "stands here again (first on line 8)"),
         ("primitive: go there", "prim: go there", 8, "unknown key 'prim'"),
-        ("    - {primitive: grasp it", "    - grasp\n    - {primitive: grasp it", 11, "a part is"),
+        (
+            "    - {primitive: grasp it",
+            "    - grasp\n    - {primitive: grasp it",
+            11,
+            "this is no part; a mapping",
+        ),
         ("parts:", "parts: none\n  other:", 7, "parts"),
     ],
 )
