@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 import numpy as np
 from rich.console import Console, Group, RenderableType
@@ -31,8 +33,12 @@ def terminal() -> Console:
         sys.stdout, "reconfigure"
     ):
         sys.stdout.reconfigure(errors="replace")
-    console = Console(highlight=False)
-    return console if console.is_terminal else Console(highlight=False, width=WIDEST_PIPE)
+    # Rich takes NO_COLOR by the letter and would go on with bold and faint.
+    colors: Literal["auto"] | None = None if os.environ.get("NO_COLOR") else "auto"
+    console = Console(highlight=False, color_system=colors)
+    if console.is_terminal:
+        return console
+    return Console(highlight=False, color_system=colors, width=WIDEST_PIPE)
 
 
 def view(value: Value) -> RenderableType:
