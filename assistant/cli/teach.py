@@ -96,7 +96,7 @@ def _with_plain(args: argparse.Namespace, *, live: bool) -> int:
     width = columns() if live else None
     shell = PlainShell(lambda line: print(line, flush=True), args.pace, width)
     talking = make_talking(args, lambda line: print(line, flush=True), live=live)
-    session = _opened(args, shown_and_spoken(shell.out, talking))
+    session = _opened(args, shown_and_spoken(shell.out, talking), shell.attach)
     return _guarded(session, lambda: shell.run(session, sys.stdin, live=live, beside=talking))
 
 
@@ -107,7 +107,7 @@ def _with_text(args: argparse.Namespace) -> int:
 
     shell = TextShell(home() / "history", args.pace)
     talking = make_talking(args, write, live=True)
-    session = _opened(args, shown_and_spoken(shell.out, talking))
+    session = _opened(args, shown_and_spoken(shell.out, talking), shell.attach)
     warm_up()
     return _guarded(session, lambda: shell.run(session, talking))
 

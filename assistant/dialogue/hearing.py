@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import replace
 
 from assistant.dialogue import heard_names, keeping, practicing, showing
@@ -10,7 +9,7 @@ from assistant.dialogue.asides import aside
 from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
 from assistant.dialogue.doubting import doubted, is_guess, misunderstood, without_guess
-from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.effects import Effect
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain
 from assistant.dialogue.finding import with_name
@@ -27,7 +26,13 @@ from assistant.dialogue.otherwise import (
     taken_back,
     wants_other,
 )
-from assistant.dialogue.plain_answers import answers_plainly, counted_steps, tells_body, told_steps
+from assistant.dialogue.plain_answers import (
+    answers_plainly,
+    counted_steps,
+    in_own_words,
+    tells_body,
+    told_steps,
+)
 from assistant.dialogue.recounting import show
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
@@ -39,7 +44,18 @@ from assistant.dialogue.state import (
     Pending,
     Watching,
 )
-from assistant.dialogue.turn import Turn, Words, changed, first, in_full, line, say, with_other
+from assistant.dialogue.turn import (
+    Turn,
+    Words,
+    changed,
+    first,
+    in_full,
+    in_order,
+    line,
+    one_question,
+    say,
+    with_other,
+)
 from assistant.dialogue.undoing import undo
 from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.dialogue.wondering import asks_why, wondered
@@ -49,14 +65,13 @@ from assistant.model import teacher_acts as acts
 from assistant.model.settings import SafetySettings
 
 SAFETY = SafetySettings()
-_LAST = (acts.NewSetup, acts.Start, acts.Resume, acts.Again, acts.Quit)
 
 
 def hear(dialogue: Dialogue, event: Heard) -> Turn:
     """Answer an utterance."""
     if isinstance(dialogue.state, Opening | Closed):
         return dialogue, ()
-    meant = _in_order(event.understanding.acts)
+    meant = in_order(event.understanding.acts)
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)
@@ -120,6 +135,7 @@ def _by_meaning(
 ) -> Turn:
     """Do what was understood, or ask whether it was meant."""
     unsure = event.understanding.confidence < SAFETY.act_confidence
+    meant = in_own_words(dialogue, meant, words.text) if unsure else meant
     plain = answers_plainly(without_guess(dialogue), meant, words.text) or (
         # What changes the plan must have been heard well.
         names_known(dialogue, meant) and not heard_names.misheard(event)
@@ -129,26 +145,10 @@ def _by_meaning(
     return one_question(patient(dialogue, act_on_all(dialogue, meant, words)))
 
 
-def _in_order(meant: Iterable[acts.TeacherAct]) -> tuple[acts.TeacherAct, ...]:
-    """Return the acts with those that start motion, or end the session, at the end."""
-    return tuple(sorted(meant, key=lambda act: isinstance(act, _LAST)))
-
-
 def _stop(dialogue: Dialogue) -> Turn:
     if isinstance(dialogue.state, Watching):
         return showing.while_watching(dialogue, acts.Stop())
     return practicing.stop(replace(dialogue, pending=None))
-
-
-def one_question(turn: Turn) -> Turn:
-    """Return the turn with only its last question; several would not be heard."""
-    asks = [at for at, effect in enumerate(turn[1]) if _is_question(effect)]
-    kept = [effect for at, effect in enumerate(turn[1]) if at not in asks[:-1]]
-    return turn[0], tuple(kept)
-
-
-def _is_question(effect: Effect) -> bool:
-    return isinstance(effect, Say) and effect.line.act in ("ask", "confirm")
 
 
 def act_on_all(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words) -> Turn:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assistant.dialogue.finding import find
-from assistant.dialogue.naming import is_nothing, listed_steps, number_of, tidy_name
+from assistant.dialogue.naming import is_nothing, listed_steps, number_of, tidy, tidy_name
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
@@ -16,6 +16,9 @@ from assistant.model import teacher_acts as acts
 
 SHORTEST_GOAL = 3
 """Words of a goal that is taken however it is worded: it is read back with the plan."""
+
+SHORT_STEP, LONGEST_STEP = 4, 8
+"""Words of a step's name that is taken as said, and of one that may be."""
 
 WORDS_COUNT = (acts.Translate, acts.Rotate, acts.Gripper, acts.AddSubtask, acts.Rename)
 """Acts whose words answer a question for a name or an action: "move up" is a name there."""
@@ -119,6 +122,25 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
         case asked:
             # What the robot has no word for is done as shown, and read back with the plan.
             return asked == "actions"
+
+
+def in_own_words(
+    dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str
+) -> tuple[acts.TeacherAct, ...]:
+    """Return a step's name that was made out unsurely as it was said, if that tells a motion.
+
+    "Close the hand" is not just "close", and "take the block" no "block".
+    """
+    state, only = dialogue.state, meant[0] if len(meant) == 1 else None
+    if not isinstance(state, Introducing) or state.asked != "subtask_name":
+        return meant
+    values = _values(only) if isinstance(only, acts.Inform) else ()
+    said = tidy(text, dialogue.language)
+    size = len(said.split())
+    if len(values) != 1 or "?" in text or not 1 < size <= LONGEST_STEP:
+        return meant
+    short = size <= SHORT_STEP or not tells_action(values[0], dialogue.language)
+    return (acts.Inform(said),) if short and tells_action(said, dialogue.language) else meant
 
 
 def _tells_place(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:

@@ -14,7 +14,15 @@ from assistant.model.conditions import Condition
 from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.setup import Place
 from assistant.model.task import Action, Index
-from assistant.model.teacher_acts import Asked, TeacherAct
+from assistant.model.teacher_acts import (
+    Again,
+    Asked,
+    NewSetup,
+    Quit,
+    Resume,
+    Start,
+    TeacherAct,
+)
 
 Turn = tuple[Dialogue, tuple[Effect, ...]]
 
@@ -36,6 +44,8 @@ class Words:
     sure: bool = False
 
 
+_LAST = (NewSetup, Start, Resume, Again, Quit)
+"""What begins motion, or ends the session."""
 ASIDE = ("setup", "facing")
 """Changes of knowledge that leave the task as it was."""
 
@@ -85,6 +95,22 @@ def changed(
     after = replace(dialogue, known=known, past=past, future=(), clean=clean)
     # Where things are and where the teacher stands is no part of a saved task.
     return after if label in ASIDE else replace(after, unsaved=True, agreed=False)
+
+
+def in_order(meant: Iterable[TeacherAct]) -> tuple[TeacherAct, ...]:
+    """Return the acts with those that start motion, or end the session, at the end."""
+    return tuple(sorted(meant, key=lambda act: isinstance(act, _LAST)))
+
+
+def one_question(turn: Turn) -> Turn:
+    """Return the turn with only its last question; several would not be heard."""
+    asks = [at for at, effect in enumerate(turn[1]) if _is_question(effect)]
+    kept = [effect for at, effect in enumerate(turn[1]) if at not in asks[:-1]]
+    return turn[0], tuple(kept)
+
+
+def _is_question(effect: Effect) -> bool:
+    return isinstance(effect, Say) and effect.line.act in ("ask", "confirm")
 
 
 def in_full(said: RobotAct) -> RobotAct:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
+from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave
@@ -18,8 +19,6 @@ from assistant.shells.beside import Beside, Words
 from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import wrapped
-
-NAME = "robot: "
 
 
 class PlainShell:
@@ -42,13 +41,18 @@ class PlainShell:
         self._write = write
         self._showing = Showing(write)
         self._error: BaseException | None = None
+        self._names: dict[str, str] = page("terminal", "english")["names"]
+
+    def attach(self, session: Session) -> None:
+        """Take note of the language of a session that is about to begin."""
+        self._names = page("terminal", session.language)["names"]
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line."""
         if self._width is None:
-            self._write(f"{NAME}{text}")
+            self._write(f"{self._names['robot']}: {text}")
             return
-        for one in wrapped(text, self._width, before=NAME):
+        for one in wrapped(text, self._width, before=f"{self._names['robot']}: "):
             self._write(one)
 
     def run(
@@ -110,7 +114,7 @@ class PlainShell:
         with ticker.lock:
             if session.left:
                 return
-            self._write(f"you: {words.text}")
+            self._write(f"{self._names['you']}: {words.text}")
             if not self._showing.take(session, words.text):
                 session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
             self._showing.offer(session)

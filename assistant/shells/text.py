@@ -40,7 +40,7 @@ from assistant.shells.wrapping import columns, styled, wrapped
 
 STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm": "1"}
 """Colors of a terminal by the robot's acts (ANSI)."""
-NAME, INDENT = "robot: ", "  "
+INDENT = "  "
 NAME_STYLE, HINT_STYLE = "36", "90"
 REFRESH_S = 0.5
 FORGOTTEN = "awaitingshow"
@@ -64,12 +64,17 @@ class TextShell:
         self._pace = pace
         self._history = history
         self._session: Session | None = None
+        self._names: dict[str, str] = page("terminal", "english")["names"]
         self._ticker: Ticker | None = None
         self._error: BaseException | None = None
         self._left_known_s: float | None = None
         self._interrupted = False
         self._showing = Showing(self._write, keys=True)
         self._heart = Heartbeat(RealClock())
+
+    def attach(self, session: Session) -> None:
+        """Take note of the language of a session that is about to begin."""
+        self._names = page("terminal", session.language)["names"]
 
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
@@ -78,8 +83,9 @@ class TextShell:
         if session is not None and shown is not None:
             text = page("terminal", session.language)["pictures"].get(line.topic, text)
         style = STYLES.get(line.act, "")
-        first, *more = wrapped(text, columns(), before=NAME)
-        write(styled(NAME, NAME_STYLE) + styled(first[len(NAME) :], style))
+        name = f"{self._names['robot']}: "
+        first, *more = wrapped(text, columns(), before=name)
+        write(styled(name, NAME_STYLE) + styled(first[len(name) :], style))
         for one in more:
             write(styled(one, style))
         if shown is not None:
@@ -117,7 +123,9 @@ class TextShell:
             raise self._error
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
-        text = prompt.prompt("you: ", pre_run=lambda: self._begin(session, prompt)).strip()
+        text = prompt.prompt(
+            f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
+        ).strip()
         if session.left:
             return
         session.raw(text)
@@ -198,7 +206,7 @@ class TextShell:
         with self._ticker.lock:
             if session.left:
                 return
-            self._write(f"you: {words.text}")
+            self._write(f"{self._names['you']}: {words.text}")
             if not self._showing.take(session, words.text):
                 session.hear(words.text, by_voice=True, sure=words.sure, ago_s=words.ago_s)
             self._showing.offer(session)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.machine import begin
 from assistant.language.speech import phrase
@@ -119,3 +121,21 @@ def test_three_numbers_plainly_tell_a_place_that_was_asked_for() -> None:
     said(teacher, "500, -200, 240")
     assert teacher.topics[0] == "read_back.place"
     assert teacher.dialogue.known.setup.places["drum"].xyz_mm == (500.0, -200.0, 240.0)
+
+
+@pytest.mark.parametrize(
+    ("language", "text", "name"),
+    [
+        ("german", "nimm den Block", "nimm den Block"),
+        ("german", "stell ihn auf das Ziel", "stell ihn auf das Ziel"),
+        ("german", "den Block anheben", "Block anheben"),
+        ("german", "der erste Schritt heißt aufnehmen", "aufnehmen"),
+        ("english", "then put it on the tray", "put it on the tray"),
+    ],
+)
+def test_a_step_is_called_by_what_is_done_not_by_a_thing_alone(
+    language: str, text: str, name: str
+) -> None:
+    teacher = Lessons(begin(language)).open().tell("task").tell("done it is now")
+    teacher.tell(("block", "target")).tell(2)
+    assert said(teacher, text).dialogue.known.root.parts[0].name == name

@@ -10,12 +10,14 @@ from assistant.session.past import past_sessions
 from assistant.shells.plain import PlainShell
 
 
-def talk(home: Path, *lines: str, live: bool = False, task: str = "") -> list[str]:
+def talk(
+    home: Path, *lines: str, live: bool = False, task: str = "", language: str = "english"
+) -> list[str]:
     told: list[str] = []
     shell = PlainShell(told.append)
     path = str(shipped("tasks") / task) if task else None
-    header = Transcript("plain", arm="kinematic", task=path)
-    session = open_session(Opening(make_equipment, home, shell.out), header)
+    header = Transcript("plain", arm="kinematic", task=path, language=language)
+    session = open_session(Opening(make_equipment, home, shell.out, shell.attach), header)
     shell.run(session, iter(f"{line.strip()}\n" for line in lines), live=live)
     session.close()
     return told
@@ -71,3 +73,8 @@ def test_what_cannot_be_shown_is_told_and_the_robot_still_watches(tmp_path: Path
     text = "\n".join(told)
     for message in ("no such file", "is a folder", "holes.csv:2", "binary", "I saw 5 parts"):
         assert message in text
+
+
+def test_in_german_the_speaker_is_named_in_german(tmp_path: Path) -> None:
+    told = talk(tmp_path, "aufräumen", "beenden", "nein", language="german")
+    assert all(line.startswith("Roboter: ") for line in told)
