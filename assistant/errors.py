@@ -31,7 +31,7 @@ class Problem:
 
     where: str
     what: str
-    right: str = ""
+    right: str
 
     def __str__(self) -> str:
         told = f"{self.where}: {self.what}" if self.where else self.what
@@ -51,7 +51,7 @@ class BadInput(AssistantError):
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
     @classmethod
-    def one(cls, where: str, what: str, right: str = "") -> BadInput:
+    def one(cls, where: str, what: str, right: str) -> BadInput:
         """Return the error for a single problem."""
         return cls([Problem(where, what, right)])
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from assistant.cli import DONE
-from assistant.cli.naming import task_path
+from assistant.cli.naming import learned_task
 from assistant.errors import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -36,12 +36,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Adapt to one setup after another; everything is read and checked before the first."""
-    from assistant.files.tasks import read_task
     from assistant.learning.adaptation import adapt, frames_in, plan_adaptation
     from assistant.learning.measures import measured
     from assistant.shells.pacing import RealClock
 
-    task = read_task(task_path(args.learned))
+    task = learned_task(args.learned)
     places = _read(args.setup)
     clock = RealClock()
     plan = plan_adaptation(task)

@@ -188,16 +188,14 @@ class Worker:
 
     def __init__(self, wanted: Evaluation) -> None:
         from assistant.cli.fitting import fitting_scene
-        from assistant.files.tasks import read_task
+        from assistant.cli.naming import learned_task
         from assistant.learning.adaptation import plan_adaptation
         from assistant.shells.pacing import RealClock
         from sim.planner import A465Planner
 
         path = Path(wanted.learned)
         self._wanted = wanted
-        self._task = read_task(path)
-        if self._task.learned is None:
-            raise BadInput.one(wanted.learned, "nothing was learned for this task yet")
+        self._task = learned_task(path)
         self._scene = fitting_scene(self._task, path, wanted.scene)
         self._plan = plan_adaptation(self._task)
         self._planner, self._clock = A465Planner(), RealClock()

@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from assistant.errors import BadInput
+
+if TYPE_CHECKING:
+    from assistant.model.task import Task
 
 
 def task_path(told: Path | str) -> Path:
@@ -27,6 +31,24 @@ def task_path(told: Path | str) -> Path:
     if str(told) in kept:
         return kept.path(str(told))
     raise BadInput.one(str(told), "is no file and no task that is kept", _right(str(told)))
+
+
+def learned_task(told: Path | str) -> Task:
+    """Return a task that was learned, told by its file or by its name.
+
+    Raises
+    ------
+    BadInput
+        If there is none, or nothing has been learned for it yet.
+    """
+    from assistant.files.tasks import read_task
+
+    path = task_path(told)
+    task = read_task(path)
+    if task.learned is None:
+        what, right = "nothing has been learned for this task yet", "show it first: assistant learn"
+        raise BadInput.one(f"{path}:1", what, right)
+    return task
 
 
 def _right(told: str) -> str:

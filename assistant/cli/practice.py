@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
-from assistant.cli.naming import task_path
+from assistant.cli.naming import learned_task
 from assistant.errors import BadInput, Problem
 
 if TYPE_CHECKING:
@@ -58,7 +58,6 @@ def _speed(text: str) -> float:
 def run(args: argparse.Namespace) -> int:
     """Practice one setup after another; everything is read and checked before the first."""
     from assistant.cli.adapters import make_arm
-    from assistant.files.tasks import read_task
     from assistant.learning.adaptation import plan_adaptation
     from assistant.session.practice import check_placed, practice_setup, tally
     from assistant.shells.pacing import PacedArm, RealClock
@@ -67,7 +66,7 @@ def run(args: argparse.Namespace) -> int:
     if args.window and (args.json or args.dry_run):
         # The window's library writes to stdout as it likes.
         raise BadInput.one("--window", "does not go with --json or --dry-run", "leave one out")
-    task = read_task(task_path(args.learned))
+    task = learned_task(args.learned)
     places = _read(args.setup)
     for _, setup in places:
         check_placed(task, setup)
@@ -115,7 +114,8 @@ def _folder(path: Path | None) -> Path | None:
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise BadInput.one(str(path), f"cannot be a folder: {error.strerror}") from error
+        what = f"cannot be a folder ({error.strerror})"
+        raise BadInput.one(str(path), what, "name a folder you may write in") from error
     return path
 
 
@@ -133,6 +133,8 @@ def _write(folder: Path, name: str, result: SetupResult) -> None:
         return
     import numpy as np
 
+    from assistant.files.writing import cannot_write
+
     motion = result.motion
     header = "t_s," + ",".join(f"q{k}_rad" for k in range(1, 7)) + ",gripper_m,primitive"
     rows = np.column_stack([motion.t_s, motion.q, motion.gripper_m, motion.primitive_at])
@@ -141,7 +143,7 @@ def _write(folder: Path, name: str, result: SetupResult) -> None:
     try:
         path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     except OSError as error:
-        raise BadInput.one(str(path), f"cannot be written: {error.strerror}") from error
+        raise cannot_write(path, error) from error
 
 
 def table(results: Sequence[SetupResult], *, dry: bool = False) -> str:

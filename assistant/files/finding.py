@@ -10,6 +10,8 @@ from assistant.files.setups import read_setups
 from assistant.files.shipped import shipped
 from assistant.model.setup import Setup
 
+CHECK = "check the name and the folder"
+
 
 def find_setups(name: str, near: Path) -> tuple[tuple[Setup, ...], Path]:
     """Return the setups a name stands for, and the file they are in.
@@ -31,7 +33,7 @@ def find_setups(name: str, near: Path) -> tuple[tuple[Setup, ...], Path]:
     if (folder / name).is_file():
         return read_setups(folder / name), folder / name
     if name.endswith((".yaml", ".yml", ".json")):
-        raise BadInput.one(str(near), f"there is no setup file {folder / name}")
+        raise BadInput.one(str(near), f"there is no setup file {folder / name}", CHECK)
     known: list[str] = []
     for path in _files(folder):
         setups = read_setups(path)

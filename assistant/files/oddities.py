@@ -90,7 +90,11 @@ def _gripper(recording: Recording, file: str) -> list[Problem]:
 
 
 def _more(count: int, file: str, what: str) -> list[Problem]:
-    return [Problem(file, f"and {count - MOST_TOLD} more {what}")] if count > MOST_TOLD else []
+    return (
+        [Problem(file, f"and {count - MOST_TOLD} more {what}", "see the first")]
+        if count > MOST_TOLD
+        else []
+    )
 
 
 def odd_demonstration(shown: Demonstration, file: str) -> tuple[Problem, ...]:
@@ -118,7 +122,10 @@ def odd_setup(setups: Sequence[Setup], file: str) -> tuple[Problem, ...]:
                 found.append(Problem(file, what, "xyz_mm is in millimetres (is this metres?)"))
     names = [setup.name for setup in setups]
     twice = sorted({name for name in names if names.count(name) > 1})
-    return (*found, *(Problem(file, f"two setups are named {name!r}") for name in twice))
+    return (
+        *found,
+        *(Problem(file, f"two setups are named {name!r}", "a name each") for name in twice),
+    )
 
 
 def odd_scene(scene: Scene, file: str) -> tuple[Problem, ...]:
@@ -137,7 +144,7 @@ def odd_scene(scene: Scene, file: str) -> tuple[Problem, ...]:
 def odd_task(task: Task, file: str) -> tuple[Problem, ...]:
     """Return subtasks without parts, and what was learned for steps that are not in the tree."""
     found = [
-        Problem(file, f"the subtask {node.name!r} has no parts")
+        Problem(file, f"the subtask {node.name!r} has no parts", "add some, or leave it out")
         for _, node in walk(task.tree)
         if isinstance(node, Subtask) and not node.parts
     ]

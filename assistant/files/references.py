@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from assistant.errors import BadInput, Problem
-from assistant.files.finding import find_setups
+from assistant.files.finding import CHECK, find_setups
 from assistant.files.scenes import find_scene
 from assistant.model.setup import Setup
 from assistant.model.transcript import Demonstrate, SetupChoice, SetupStep, Transcript
@@ -40,7 +40,7 @@ def unknown_in_transcript(play: Transcript, path: Path) -> tuple[Problem, ...]:
     for line, name in _named_files(play):
         if not (path.parent / name).is_file():
             where = f"{path}:{line}" if line else str(path)
-            found.append(Problem(where, f"there is no file {path.parent / name}"))
+            found.append(Problem(where, f"there is no file {path.parent / name}", CHECK))
     for line, choice in _named_setups(play):
         try:
             find_setups(choice, path)

@@ -263,4 +263,5 @@ def success_interval(done: int, total: int) -> tuple[float, float]:
     rate, share = done / total, z * z / total
     middle = (rate + share / 2.0) / (1.0 + share)
     half = z * math.sqrt(rate * (1.0 - rate) / total + share / (4.0 * total)) / (1.0 + share)
-    return max(0.0, middle - half), min(1.0, middle + half)
+    # At the ends exactly: rounding must not leave all of them a hair below all.
+    return (middle - half if done else 0.0), (middle + half if done < total else 1.0)

@@ -157,9 +157,15 @@ def test_figures_are_drawn(folder: Path, capsys: pytest.CaptureFixture[str]) -> 
 def test_what_was_not_learned_cannot_be_adapted(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    words = ["adapt", str(folder / "tree.yaml"), "--setup", str(folder / "setups.yaml")]
-    assert main(words) == 1
-    assert "not been learned" in capsys.readouterr().err
+    tree, setups = str(folder / "tree.yaml"), str(folder / "setups.yaml")
+    told = f"{tree}:1: nothing has been learned for this task yet; show it first: assistant learn"
+    for verb in (
+        ["adapt", tree, "--setup", setups],
+        ["practice", tree, "--setup", setups, "--dry-run"],
+        ["evaluate", tree, "--setups", "1", "--seed", "0"],
+    ):
+        assert main(verb) == 2
+        assert capsys.readouterr().err == f"{told}\n"
 
 
 def test_a_missing_file_and_a_missing_place_end_with_2(

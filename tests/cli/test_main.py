@@ -59,7 +59,11 @@ def test_a_wrong_flag_ends_with_2(capsys: pytest.CaptureFixture[str]) -> None:
 @pytest.mark.parametrize(
     ("fault", "status", "told"),
     [
-        (BadInput([Problem("a:1", "wrong"), Problem("a:2", "worse")]), 2, "a:1: wrong\na:2: worse"),
+        (
+            BadInput([Problem("a:1", "wrong", "right"), Problem("a:2", "worse", "")]),
+            2,
+            "a:1: wrong; right\na:2: worse\n",
+        ),
         (WorkFailed("refused"), 1, "refused"),
         (KeyboardInterrupt(), 130, "interrupted"),
         (ZeroDivisionError("division by zero"), 1, "a fault of the program: ZeroDivisionError"),

@@ -167,3 +167,6 @@ def test_the_interval_of_a_rate() -> None:
     assert high == 1.0
     assert low == pytest.approx(0.839, abs=1e-3)
     assert success_interval(0, 0) == (0.0, 1.0)
+    for total in range(1, 60):
+        assert success_interval(0, total)[0] == 0.0
+        assert success_interval(total, total)[1] == 1.0

@@ -108,7 +108,8 @@ class Mouth:
         if done.returncode != 0 or not path.is_file():
             told = done.stderr.decode(errors="replace").strip().splitlines()
             why = told[-1] if told else f"{self.engine} ended with status {done.returncode}"
-            raise BadInput.one(str(path), f"the sentence could not be spoken: {why}")
+            what = f"the sentence could not be spoken: {why}"
+            raise BadInput.one(str(path), what, "another engine; assistant voice lists them")
 
     def _command(self, text: str, path: Path | None) -> Sequence[str]:
         name, rate = self.voice.name, self.voice.words_per_minute
