@@ -49,6 +49,20 @@ def phrase(line: RobotAct, language: str = "english", *, brief: bool = False) ->
     return _tidy(wording.fill(template))
 
 
+def in_words(value: object, language: str = "english", *, kind: str = "") -> str:
+    """Return one value as the robot says it: a thing's name, or, of a kind, an action.
+
+    Parameters
+    ----------
+    value : object
+    language : str
+    kind : str
+        As slots of sentences have it: ``action``, ``percent``.
+    """
+    wording = Wording(page("says", language), {}, KINDS)
+    return KINDS[kind](wording, value) if kind else wording.told(value)
+
+
 def _template(topics: Mapping[str, Any], topic: str) -> Any:
     """Return the most special sentence there is for a topic."""
     while topic not in topics:

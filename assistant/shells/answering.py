@@ -5,6 +5,9 @@ from __future__ import annotations
 import io
 import os
 import sys
+from collections.abc import Mapping
+from functools import partial
+from typing import Any
 
 import numpy as np
 from rich.console import Console, Group, RenderableType
@@ -12,13 +15,16 @@ from rich.table import Table
 from rich.text import Text
 
 from assistant.dialogue.state import Knowledge
+from assistant.dialogue.turn import plain_action
 from assistant.language.hints import page
+from assistant.language.speech import in_words
 from assistant.model.lesson import LearnedPath, Lesson
 from assistant.model.robot_acts import RobotAct
+from assistant.model.task import Primitive
 from assistant.session.loop import Session
 from assistant.shells import curves
 from assistant.shells.telling import setup_view
-from assistant.shells.trees import segmentation_views, task_tree
+from assistant.shells.trees import Labels, segmentation_views, task_tree
 
 ROWS, COLUMNS = 9, 60
 
@@ -29,27 +35,39 @@ def picture(session: Session, line: RobotAct) -> RenderableType | None:
         return None
     known = session.dialogue.known
     words = page("terminal", session.language)["tables"]
+    labels: Labels = {**_motions(known, session.language), **words["labels"]}
     match line.topic:
         case "tree":
-            return task_tree(known.task)
+            return task_tree(known.task, labels, partial(_does, language=session.language))
         case "plan" | "conditions":
             return _sentences(session.phrased(line))
         case "corrections":
             told = session.phrased(line).split("\n")
             return _sentences("\n".join(one for one in told if one[:1].isdigit()))
         case "setup" if known.setup.places:
-            return setup_view(known.setup)
+            return setup_view(known.setup, labels)
         case _ if known.lesson is not None:
-            return _of_lesson(known, known.lesson, line.topic, words)
+            return _of_lesson(known, known.lesson, line.topic, words, labels)
         case _:
             return None
 
 
+def _motions(known: Knowledge, language: str) -> Labels:
+    """Return the motions of episodes, and the things there are, as the robot says them."""
+    found = known.lesson.segmentation.episodes if known.lesson is not None else ()
+    told = (*(one.character for one in found), *known.setup.places)
+    return {one: in_words(one, language) for one in told}
+
+
+def _does(leaf: Primitive, language: str) -> str:
+    return in_words(plain_action(leaf.action), language, kind="action")
+
+
 def _of_lesson(
-    known: Knowledge, lesson: Lesson, topic: str, words: dict[str, str]
+    known: Knowledge, lesson: Lesson, topic: str, words: Mapping[str, Any], labels: Labels
 ) -> RenderableType | None:
     if topic == "episodes":
-        return Group(*segmentation_views(lesson))
+        return Group(*segmentation_views(lesson, labels))
     path = lesson.path
     if topic == "trajectory" and path is not None:
         spots = tuple((station.frame, station.at) for station in lesson.stations)
@@ -69,7 +87,7 @@ def _sentences(text: str) -> Table:
 
 
 def path_picture(
-    path: LearnedPath, spots: tuple[tuple[str, int], ...], words: dict[str, str], blocks: str
+    path: LearnedPath, spots: tuple[tuple[str, int], ...], words: Mapping[str, Any], blocks: str
 ) -> str:
     """Return the learned path from above (x up, y to the left) and its height over time.
 
@@ -93,8 +111,8 @@ def path_picture(
         row, column = cells[min(at, len(cells) - 1)]
         drawn[row][column] = name[:1].upper()
     extent = {"x": round(high[0] - low[0]), "y": round(high[1] - low[1])}
-    lines = [words["path"].format(**extent), *("".join(line).rstrip() for line in drawn)]
-    lines.append(words["height"].format(low=round(low[2]), high=round(high[2])))
+    lines = [str(words["path"]).format(**extent), *("".join(line).rstrip() for line in drawn)]
+    lines.append(str(words["height"]).format(low=round(low[2]), high=round(high[2])))
     heights = curves.sampled(path.t_s, xyz_mm[:, 2] - low[2], COLUMNS)
     lines += curves.bars(heights, rows=3, blocks=blocks)
     return "\n".join([*lines, curves.axis(path.t_s, COLUMNS)])

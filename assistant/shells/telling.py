@@ -20,7 +20,7 @@ from assistant.model.setup import Place, Setup
 from assistant.model.task import Task
 from assistant.model.transcript import RobotLine, Step, TeacherLine, Transcript
 from assistant.shells import curves
-from assistant.shells.trees import task_view
+from assistant.shells.trees import NO_LABELS, Labels, task_view
 
 COLUMNS = 60
 WIDEST_PIPE = 100
@@ -58,13 +58,14 @@ def view(value: Value) -> RenderableType:
             return Group(*(setup_view(setup) for setup in value))
 
 
-def setup_view(setup: Setup) -> Table:
+def setup_view(setup: Setup, labels: Labels = NO_LABELS) -> Table:
     """Return where things are."""
-    table = _table(
-        f"{setup.name} (scene {setup.scene})", "place", "told of", "x, y, z mm", "r, p, y"
-    )
-    for name, place in (("robot start", setup.robot_start), *setup.places.items()):
-        table.add_row(escape(name), *_place(place))
+    scene, start = (labels.get(one, one) for one in ("scene", "robot start"))
+    heads = (labels.get(one, one) for one in ("place", "told of", "x, y, z mm", "r, p, y"))
+    table = _table(f"{setup.name} ({scene} {setup.scene})", *heads)
+    for name, place in ((start, setup.robot_start), *setup.places.items()):
+        of, *numbers = _place(place)
+        table.add_row(escape(labels.get(name, name)), labels.get(of, of), *numbers)
     return table
 
 

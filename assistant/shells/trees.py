@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Literal
 
 from rich.console import Group, RenderableType
 from rich.markup import escape
@@ -18,6 +19,9 @@ from assistant.model.task import Primitive, Subtask, Task
 from assistant.shells import curves
 
 COLUMNS = 60
+Labels = Mapping[str, str]
+"""What is written over tables and beside trees in another language; the rest is as it is."""
+NO_LABELS: Labels = {}
 
 
 def task_view(task: Task) -> RenderableType:
@@ -33,26 +37,41 @@ def task_view(task: Task) -> RenderableType:
     return Group(*parts)
 
 
-def task_tree(task: Task) -> Tree:
-    """Return the tree with actions and conditions, numbered as people refer to it."""
+def task_tree(
+    task: Task,
+    labels: Labels = NO_LABELS,
+    told: Callable[[Primitive], str] = action_words,
+) -> Tree:
+    """Return the tree with actions and conditions, numbered as people refer to it.
+
+    Parameters
+    ----------
+    task : Task
+    labels : mapping
+    told : callable
+        Words for what a primitive does.
+    """
     goal = f"[dim]: {escape(task.goal)}[/dim]" if task.goal else ""
     tree = Tree(f"[bold]{escape(task.name)}[/bold]{goal}")
-    _add_parts(tree, task.tree, "")
+    _add_parts(tree, task.tree, "", labels, told)
     return tree
 
 
-def _add_parts(tree: Tree, subtask: Subtask, number: str) -> None:
+def _add_parts(
+    tree: Tree, subtask: Subtask, number: str, labels: Labels, told: Callable[[Primitive], str]
+) -> None:
+    any_order, optional_word = (labels.get(one, one) for one in ("in any order", "optional"))
     if subtask.order == "any" and len(subtask.parts) > 1:
-        tree.label = f"{tree.label} [dim](in any order)[/dim]"
+        tree.label = f"{tree.label} [dim]({any_order})[/dim]"
     for position, part in enumerate(subtask.parts, start=1):
         here = f"{number}{position}"
-        optional = " [dim](optional)[/dim]" if part.optional else ""
+        optional = f" [dim]({optional_word})[/dim]" if part.optional else ""
         if isinstance(part, Subtask):
             goal = f"[dim]: {escape(part.goal)}[/dim]" if part.goal else ""
             branch = tree.add(f"{here} [bold]{escape(part.name)}[/bold]{goal}{optional}")
-            _add_parts(branch, part, f"{here}.")
+            _add_parts(branch, part, f"{here}.", labels, told)
         else:
-            leaf = f"{here} {escape(part.name)} [dim]({escape(action_words(part))})[/dim]{optional}"
+            leaf = f"{here} {escape(part.name)} [dim]({escape(told(part))})[/dim]{optional}"
             tree.add(leaf + _conditions(part))
 
 
@@ -73,14 +92,15 @@ def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
         yield Text(f"open question: {question.asked}{about} ({question.reason})", style="yellow")
 
 
-def segmentation_views(lesson: Lesson) -> Iterator[RenderableType]:
+def segmentation_views(lesson: Lesson, labels: Labels = NO_LABELS) -> Iterator[RenderableType]:
     """Yield the course of the vote, the cuts and the episodes."""
     if len(lesson.segmentation.vote_t_s) > 1:
-        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks))
+        title = labels.get("votes", "votes")
+        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks, title=title))
     if lesson.segmentation.points:
-        yield _points(lesson.segmentation.points)
+        yield _points(lesson.segmentation.points, labels)
     if lesson.segmentation.episodes:
-        yield _episodes(lesson)
+        yield _episodes(lesson, labels)
 
 
 def _summary(lesson: Lesson) -> str:
@@ -96,11 +116,13 @@ def _summary(lesson: Lesson) -> str:
     return "; ".join(told)
 
 
-def votes_picture(lesson: Lesson, blocks: str, columns: int = COLUMNS) -> str:
+def votes_picture(
+    lesson: Lesson, blocks: str, columns: int = COLUMNS, *, title: str = "votes"
+) -> str:
     """Return the course of the vote with a mark at each cut."""
     cuts = lesson.segmentation
     lines = [
-        "votes",
+        title,
         *curves.bars(curves.sampled(cuts.vote_t_s, cuts.vote, columns), blocks=blocks),
         curves.marks(cuts.cuts_s, cuts.vote_t_s, columns, "|"),
         curves.axis(cuts.vote_t_s, columns),
@@ -108,34 +130,39 @@ def votes_picture(lesson: Lesson, blocks: str, columns: int = COLUMNS) -> str:
     return "\n".join(lines)
 
 
-def _table(title: str, *columns: str) -> Table:
-    table = Table(title=title, title_justify="left", box=None, pad_edge=False)
+def _table(title: str, *columns: str, labels: Labels = NO_LABELS) -> Table:
+    named = labels.get(title, title)
+    table = Table(title=named, title_justify="left", box=None, pad_edge=False)
     for column in columns:
-        table.add_column(column, justify="left" if column.islower() else "right")
+        justify: Literal["left", "right"] = "left" if column.islower() else "right"
+        table.add_column(labels.get(column, column), justify=justify)
     return table
 
 
-def _points(points: Sequence[SegmentationPoint]) -> Table:
-    table = _table("cuts", "at s", "confidence", "kind", "votes")
+def _points(points: Sequence[SegmentationPoint], labels: Labels) -> Table:
+    table = _table("cuts", "at s", "confidence", "kind", "votes", labels=labels)
     for point in points:
         kind = "eliminated" if not point.kept else "inside one" if point.internal else "cut"
-        votes = ", ".join(f"{name} {vote:.2f}" for name, vote in point.votes.items())
+        shown = ((labels.get(name, name), vote) for name, vote in point.votes.items())
+        votes = ", ".join(f"{name} {vote:.2f}" for name, vote in shown)
         style = "" if point.kept and not point.internal else "dim"
-        row = (f"{point.at_s:.2f}", f"{point.confidence:.0%}", kind, votes)
+        row = (f"{point.at_s:.2f}", f"{point.confidence:.0%}", labels.get(kind, kind), votes)
         table.add_row(*map(escape, row), style=style)
     return table
 
 
-def _episodes(lesson: Lesson) -> Table:
-    table = _table("episodes", "nr", "from s", "to s", "primitive", "sure", "motion")
+def _episodes(lesson: Lesson, labels: Labels) -> Table:
+    heads = ("nr", "from s", "to s", "primitive", "sure", "motion")
+    table = _table("episodes", *heads, labels=labels)
+    unknown = "(nobody introduced it)"
     for number, episode in enumerate(lesson.segmentation.episodes, start=1):
         row = (
             str(number),
             f"{episode.from_s:.2f}",
             f"{episode.to_s:.2f}",
-            episode.primitive or "(nobody introduced it)",
+            episode.primitive or labels.get(unknown, unknown),
             f"{episode.probability:.0%}",
-            episode.character,
+            labels.get(episode.character, episode.character),
         )
         table.add_row(*map(escape, row))
     return table

@@ -2,6 +2,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
@@ -53,3 +55,34 @@ def test_before_anything_was_shown_there_is_nothing_to_draw(tmp_path: Path) -> N
     session = opened(tmp_path)
     assert picture(session, RobotAct("told", "trajectory")) is None
     session.close()
+
+
+ENGLISH = (
+    *("votes", "cuts", "confidence", "kind", "eliminated", "gripper", "speed", "cue", "jolt"),
+    *("episodes", "primitive", "sure", "forward", "down", "right", "optional", "move", "close"),
+    *("scene", "robot start", "told of", "hand ", "body", "ahead", "height", "place "),
+)
+
+
+@pytest.mark.parametrize("topic", ["tree", "episodes", "trajectory", "setup"])
+def test_in_german_nothing_drawn_is_in_english(
+    taught: tuple[Session, Heard], topic: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    session, _ = taught
+    told = cast(
+        Session,
+        SimpleNamespace(dialogue=session.dialogue, language="german", phrased=session.phrased),
+    )
+    drawn = picture(told, RobotAct("told", topic))
+    assert drawn is not None
+    text = rendered(drawn, 90)
+    # What the teacher called things stays as it was said.
+    for name in (
+        *session.dialogue_view["primitives"],
+        "pick up object",
+        "place object",
+        "the block rests on the target",
+    ):
+        text = text.replace(name, "")
+    assert [one for one in ENGLISH if one in text] == []
