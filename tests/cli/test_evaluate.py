@@ -110,7 +110,7 @@ def test_a_missing_task_and_a_tree_alone_are_refused(
     assert main(command(tmp_path / "none.yaml", "--setups", "1")) == BAD_INPUT
     tree = shipped("tasks") / "pick_and_place.yaml"
     assert main(command(tree, "--setups", "1")) == BAD_INPUT
-    assert "nothing was learned" in capsys.readouterr().err
+    assert "nothing has been learned" in capsys.readouterr().err
 
 
 def test_a_scene_without_the_tasks_objects_is_refused(
