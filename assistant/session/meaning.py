@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 from assistant.dialogue.machine import beneath, listening
@@ -9,11 +10,17 @@ from assistant.dialogue.referring import by_name
 from assistant.dialogue.state import Dialogue
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
-from assistant.model.listening import Understanding
+from assistant.model.listening import Listening, Understanding
 from assistant.model.settings import SafetySettings
-from assistant.model.teacher_acts import Inform, Stop, Unknown
+from assistant.model.teacher_acts import Affirm, Deny, Inform, Stop, Unknown
 
 SAFETY = SafetySettings()
+MOST_SENTENCES, LONG = 6, 12
+"""Sentences that are looked at one by one, and words of a text that is no short answer."""
+NOTHING, GUESSED = 0.3, 0.8
+"""Below the one nothing is guessed at; above the other nothing said among much else is."""
+_ENDS = re.compile(r"[.!?;]+\s+")
+_IDLE = (Unknown, Affirm, Deny)
 
 
 def meant(dialogue: Dialogue, text: str, sure: float, language: str) -> Understanding:
@@ -31,7 +38,27 @@ def meant(dialogue: Dialogue, text: str, sure: float, language: str) -> Understa
     below = beneath(dialogue)
     if below is not None and not _clear(found):
         found = understand(told, below, language)
+    if found.confidence < SAFETY.act_confidence:
+        found = _among_sentences(told, found, below or now, language)
     return replace(found, confidence=min(found.confidence, sure))
+
+
+def _among_sentences(
+    text: str, whole: Understanding, now: Listening, language: str
+) -> Understanding:
+    """Return the one sentence of a talkative teacher that means something, as a guess.
+
+    What is said at length and means nothing clearly means nothing.
+    """
+    sentences = [one for one in _ENDS.split(text) if len(one.split()) > 1]
+    if not 1 < len(sentences) <= MOST_SENTENCES:
+        return whole
+    told = (understand(one, now, language) for one in sentences)
+    found = [one for one in told if not all(isinstance(act, _IDLE) for act in one.acts)]
+    best = max((*found, whole), key=lambda one: one.confidence)
+    if best.confidence < NOTHING and len(text.split()) >= LONG:
+        return Understanding((Unknown(),), 1.0, text)
+    return replace(best, confidence=min(best.confidence, GUESSED), heard=whole.heard)
 
 
 def _clear(found: Understanding) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assistant.model import teacher_acts as acts
-from assistant.session.meaning import meant
+from assistant.session.meaning import SAFETY, meant
 from tests.dialogue.teaching import Lessons
 
 
@@ -29,3 +29,20 @@ def test_words_not_surely_recognized_are_not_surely_meant() -> None:
 def test_while_the_arm_moves_a_stop_word_is_a_stop() -> None:
     moving = Lessons().ready().moving().dialogue
     assert meant(moving, "don't stop", 1.0, "english").acts == (acts.Stop(),)
+
+
+def test_of_much_talk_the_sentence_that_means_something_is_guessed_at() -> None:
+    opened = Lessons().open().dialogue
+    talk = "I don't hold with computers. But all right. I want you to put the bowl on the tray."
+    found = meant(opened, talk, 1.0, "english")
+    assert found.acts == (acts.Inform("put the bowl on the tray"),)
+    assert found.confidence < SAFETY.act_confidence
+    ready = Lessons().ready().dialogue
+    fast = "My word, that was quick. A bit slower, if you please, my eyes are old."
+    assert meant(ready, fast, 1.0, "english").acts == (acts.AdjustSpeed("slower", "little"),)
+
+
+def test_much_talk_about_nothing_is_no_name() -> None:
+    opened = Lessons().open().dialogue
+    talk = "Good evening. My late husband built cabinets, you know. So what is it you want from me?"
+    assert meant(opened, talk, 1.0, "english").acts == (acts.Unknown(),)
