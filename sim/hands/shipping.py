@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from assistant.files.demonstrations import write_demonstration
+from assistant.files.recordings import recording_of, recording_text
 from assistant.files.scenes import read_scene
 from assistant.files.setups import read_setups
 from assistant.files.tasks import read_task
@@ -73,7 +74,9 @@ def _rounded(recording: Recording) -> Recording:
     openings = None if recording.gripper_m is None else np.round(recording.gripper_m, 6)
     path = np.concatenate([np.round(recording.path[:, :3], 7), recording.path[:, 3:]], axis=1)
     path[:, 3:] = np.round(quat_normalize(path[:, 3:]), 9)
-    return Recording(np.round(recording.t_s, 4), path, openings)
+    rounded = Recording(np.round(recording.t_s, 4), path, openings)
+    # As it will be read, with quaternions of length 1: what ships is written as it is read.
+    return recording_of(recording_text(rounded), "a demonstration")
 
 
 if __name__ == "__main__":

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
 
 from assistant.errors import BadInput
+from assistant.files.converting import convert
 from assistant.files.kinds import read_any, read_known
 from assistant.files.shipped import shipped
 from assistant.files.tasks import write_task
@@ -14,21 +16,28 @@ from assistant.model.setup import Setup
 from assistant.model.task import Task
 from tests.files.examples import lesson, task
 
+EVERY = [
+    *sorted(shipped("tasks").rglob("*.yaml")),
+    *sorted(shipped("tasks").rglob("*.csv")),
+    *sorted(shipped("transcripts").rglob("*.yaml")),
+]
 
-@pytest.mark.parametrize(
-    "path",
-    [
-        *sorted(shipped("tasks").rglob("*.yaml")),
-        *sorted(shipped("tasks").rglob("*.csv")),
-        *sorted(path for path in shipped("transcripts").rglob("*.yaml")),
-    ],
-    ids=lambda path: path.name,
-)
+
+@pytest.mark.parametrize("path", EVERY, ids=lambda path: path.name)
 def test_every_shipped_file_is_good_and_nothing_about_it_is_odd(path: Path) -> None:
     told = [warning.what for warning in read_known(path).warnings]
     # A push needs no fingers: its demonstration is told for what it is.
     pushed = path.parent.name == "demonstrations" and path.stem == "pushing"
     assert told == (["the hand never opens or closes"] if pushed else [])
+
+
+@pytest.mark.parametrize("path", EVERY, ids=lambda path: path.name)
+def test_every_shipped_file_written_again_is_the_same_text(path: Path, tmp_path: Path) -> None:
+    again = tmp_path / path.name
+    convert(read_known(path), path, again)
+    # A demonstration that moves names its recording from where it is now.
+    moved = f"{os.path.relpath(path.parent, tmp_path)}/"
+    assert again.read_text("utf-8").replace(moved, "") == path.read_text("utf-8")
 
 
 @pytest.mark.parametrize(
