@@ -15,8 +15,9 @@ from assistant.dialogue.naming import as_said, begins_or_ends_with_verb, is_odd,
 from assistant.dialogue.placing import thing_meant
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
+from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, first, line, say
-from assistant.language.hints import hints
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.teacher_acts import act_to_json
 
@@ -38,7 +39,7 @@ _NO_PLACE = (
     acts.GoBack,
     acts.Translate,
 )
-FEWEST_STEPS, LONGEST_STEP, LONGEST_ANSWER = 3, 8, 12
+FEWEST_STEPS, LONGEST_STEP, LONGEST_ANSWER, LONGEST_THING = 3, 8, 12, 3
 
 
 def is_guess(pending: Pending | None) -> bool:
@@ -71,6 +72,7 @@ def doubted(
         _steps_listed(dialogue, words)
         or _place_shown(dialogue, meant)
         or _no_such_step(dialogue, meant)
+        or _things_told(dialogue, meant, words)
     )
     if instead is not None:
         return instead
@@ -143,7 +145,8 @@ def _topic(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> str:
     state = dialogue.state
     only = meant[0] if len(meant) == 1 else None
     if isinstance(state, Introducing) and isinstance(only, acts.Inform):
-        return f"{TOPIC}.{state.asked}" if isinstance(only.value, str) else TOPIC
+        plain = isinstance(only.value, str) or state.asked == "objects"
+        return f"{TOPIC}.{state.asked}" if plain else TOPIC
     return TOPIC
 
 
@@ -174,9 +177,11 @@ def _steps_listed(dialogue: Dialogue, words: Words) -> Turn | None:
     state = dialogue.state
     if not isinstance(state, Introducing) or state.asked not in ("subtask_count", "subtask_name"):
         return None
-    steps = steps_in(words.text, 2, dialogue.language)
+    # "How many? Well, you take it, and ..." answers after the question.
+    text = words.text.rpartition("?")[2]
+    steps = steps_in(text, 2, dialogue.language)
     told = dict.fromkeys(steps)
-    plain = all(len(step.split()) <= LONGEST_STEP for step in steps) and "?" not in words.text
+    plain = all(len(step.split()) <= LONGEST_STEP for step in steps) and bool(text.strip())
     if state.named or len(told) < len(steps) or not plain:
         return None
     verb_first = bool(steps) and begins_or_ends_with_verb(steps[0], dialogue.language)
@@ -208,5 +213,32 @@ def _taking_words(dialogue: Dialogue, words: Words) -> Turn | None:
     odd = asked.asked == "task_name" and is_odd(text, dialogue.language)
     if not text or len(text.split()) > LONGEST_ANSWER or odd or "?" in words.text:
         return None
+    if asked.asked == "objects":
+        return _taking_things(dialogue, text)
     taking = line("confirm", "take_words", asked="did_you_mean", words=text)
     return ask(replace(dialogue, pending=Pending("did_you_mean", taking, (acts.Inform(text),))))
+
+
+def _things_told(
+    dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Words
+) -> Turn | None:
+    """Ask whether what an unclear answer names are the things; where it names none, say so."""
+    state = dialogue.state
+    if not isinstance(state, Introducing) or state.asked != "objects" or state.index:
+        return None
+    if not all(isinstance(act, acts.Inform) for act in meant) or not _fresh(dialogue, meant):
+        return None
+    free = replace(without_guess(dialogue), misses=dialogue.misses + 1)
+    return _taking_things(free, words.text) or misunderstood(dialogue, words)
+
+
+def _taking_things(dialogue: Dialogue, text: str) -> Turn | None:
+    """Ask whether the things that words may name are those; who tells where one is names none."""
+    if mentions(text, hints("standing", dialogue.language)):
+        return None
+    named = tuple(one.name for one in things_in(text, dialogue.known.scene, dialogue.language))
+    if not named or any(len(name.split()) > LONGEST_THING for name in named):
+        return None
+    act = acts.Inform(named)
+    guess = line("confirm", f"{TOPIC}.objects", asked="did_you_mean", acts=[act_to_json(act)])
+    return ask(replace(dialogue, pending=Pending("did_you_mean", guess, (act,), text)))

@@ -120,7 +120,8 @@ def _value(
     if state.asked in ("confirm_tree", "pose"):
         return None
     if isinstance(act, acts.Inform):
-        if state.asked == "objects" and not state.index and len(words.text.split()) > SENTENCE:
+        long = len(words.text.split()) > SENTENCE and not words.sure
+        if state.asked == "objects" and not state.index and long:
             return words.text
         if not isinstance(act.value, str):
             return act.value

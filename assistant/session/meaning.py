@@ -57,7 +57,7 @@ def _among_sentences(
     found = [one for one in told if not all(isinstance(act, _IDLE) for act in one.acts)]
     best = max((*found, whole), key=lambda one: one.confidence)
     if best.confidence < NOTHING and len(text.split()) >= LONG:
-        return Understanding((Unknown(),), 1.0, text)
+        return Understanding((Unknown(),), best.confidence, whole.heard)
     return replace(best, confidence=min(best.confidence, GUESSED), heard=whole.heard)
 
 

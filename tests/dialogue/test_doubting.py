@@ -139,3 +139,36 @@ def test_a_step_is_called_by_what_is_done_not_by_a_thing_alone(
     teacher = Lessons(begin(language)).open().tell("task").tell("done it is now")
     teacher.tell(("block", "target")).tell(2)
     assert said(teacher, text).dialogue.known.root.parts[0].name == name
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("the sugar bowl and the tray, what else", ["sugar bowl", "tray"]),
+        ("well it's right in front of you", []),
+        ("a jar and a lid, obviously", ["jar", "lid"]),
+    ],
+)
+def test_of_an_unclear_answer_only_things_are_taken(text: str, names: list[str]) -> None:
+    teacher = Lessons().open().tell("task").tell("done it is now")
+    teacher.hear(acts.Inform(("front", "other")), text=text, sure=0.4)
+    assert (teacher.topics == ["confirm.did_you_mean.objects"]) == bool(names)
+    teacher.hear(acts.Affirm(), text="yes")
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == names
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Goodness, how many? Well you take it, and you carry it over, and you set it down",
+        "well you take it and you carry it over and you set it down",
+    ],
+)
+def test_steps_told_at_length_are_read_back_as_steps(text: str) -> None:
+    teacher = Lessons().open().tell("task").tell("done it is").tell(("block", "target"))
+    said(teacher, text)
+    if teacher.asked == "did_you_mean":
+        assert teacher.topics == ["confirm.listed_steps"]
+        teacher.hear(acts.Affirm(), text="yes")
+    parts = teacher.dialogue.known.root.parts
+    assert [part.name for part in parts] == ["take it", "carry it over", "set it down"]
