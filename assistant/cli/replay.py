@@ -15,10 +15,14 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
 from assistant.cli.talking import speaking
-from assistant.errors import BadInput
+from assistant.errors import BadInput, Problem
+
+if TYPE_CHECKING:
+    from assistant.model.transcript import Transcript
 
 HEAD = 4096
 ACTUAL = ".actual.yaml"
@@ -36,11 +40,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     """Replay them one after another; all are read before the first begins."""
     from assistant.cli.adapters import make_equipment
-    from assistant.files.transcripts import read_transcript
     from assistant.session.player import silent
     from assistant.shells.replay import replay
 
-    transcripts = [read_transcript(path) for path in _files(args.transcripts)]
+    transcripts = _read(_files(args.transcripts))
     listener = speaking(lambda line: print(line, file=sys.stderr)) if args.speak else silent
     results = []
     for transcript in transcripts:
@@ -51,6 +54,24 @@ def run(args: argparse.Namespace) -> int:
     if args.json:
         print(json.dumps({"transcripts": [result.as_json() for result in results]}))
     return DONE if all(result.passed for result in results) else FAILED
+
+
+def _read(paths: Sequence[Path]) -> list[Transcript]:
+    """Return all transcripts; what is wrong with any is told before the first is played."""
+    from assistant.files.references import unknown_in_head
+    from assistant.files.transcripts import read_transcript
+
+    read: list[Transcript] = []
+    problems: list[Problem] = []
+    for path in paths:
+        try:
+            read.append(read_transcript(path))
+            problems += unknown_in_head(read[-1], path)
+        except BadInput as error:
+            problems += error.problems
+    if problems:
+        raise BadInput(problems)
+    return read
 
 
 def _files(given: Sequence[Path]) -> tuple[Path, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 
 from assistant.errors import BadInput, Problem
@@ -10,6 +10,7 @@ from assistant.files.finding import CHECK, find_setups
 from assistant.files.scenes import find_scene
 from assistant.model.setup import Setup
 from assistant.model.transcript import Demonstrate, SetupChoice, SetupStep, Transcript
+from assistant.plain_yaml import read_file
 
 
 def unknown_in_setups(setups: Sequence[Setup], path: Path) -> tuple[Problem, ...]:
@@ -36,32 +37,38 @@ def unknown_in_setups(setups: Sequence[Setup], path: Path) -> tuple[Problem, ...
 
 def unknown_in_transcript(play: Transcript, path: Path) -> tuple[Problem, ...]:
     """Return files and setups that a transcript names and that are not there."""
-    found: list[Problem] = []
-    for line, name in _named_files(play):
-        if not (path.parent / name).is_file():
-            where = f"{path}:{line}" if line else str(path)
-            found.append(Problem(where, f"there is no file {path.parent / name}", CHECK))
-    for line, choice in _named_setups(play):
-        try:
-            find_setups(choice, path)
-        except BadInput as error:
-            where = f"{path}:{line}" if line else str(path)
-            found += [Problem(where, each.what, each.right) for each in error.problems]
+    found = list(unknown_in_head(play, path))
+    for step in play.steps:
+        where = f"{path}:{step.line}"
+        if isinstance(step, Demonstrate) and step.recording is not None:
+            found += _no_file(step.recording, path, where)
+        if isinstance(step, SetupStep):
+            found += _no_setup(step.choice, path, where)
     return tuple(found)
 
 
-def _named_files(play: Transcript) -> Iterator[tuple[int, str]]:
-    if play.task is not None:
-        yield 0, play.task
-    for step in play.steps:
-        if isinstance(step, Demonstrate) and step.recording is not None:
-            yield step.line, step.recording
+def unknown_in_head(play: Transcript, path: Path) -> tuple[Problem, ...]:
+    """Return the task and setup a transcript begins with and that are not there."""
+    task = () if play.task is None else _no_file(play.task, path, "task")
+    told = (*task, *_no_setup(play.setup, path, "setup"))
+    if not told:
+        return ()
+    (document,) = read_file(path, flawed=True)
+    return tuple(Problem(document.where([each.where]), each.what, each.right) for each in told)
 
 
-def _named_setups(play: Transcript) -> Iterator[tuple[int, str]]:
-    chosen: list[tuple[int, SetupChoice | None]] = [(0, play.setup)]
-    chosen += [(step.line, step.choice) for step in play.steps if isinstance(step, SetupStep)]
-    for line, choice in chosen:
-        name = choice and (choice.file or choice.name)
-        if name:
-            yield line, name
+def _no_file(name: str, path: Path, where: str) -> tuple[Problem, ...]:
+    if (path.parent / name).is_file():
+        return ()
+    return (Problem(where, f"there is no file {path.parent / name}", CHECK),)
+
+
+def _no_setup(choice: SetupChoice | None, path: Path, where: str) -> tuple[Problem, ...]:
+    name = choice and (choice.file or choice.name)
+    if not name:
+        return ()
+    try:
+        find_setups(name, path)
+    except BadInput as error:
+        return tuple(Problem(where, each.what, each.right) for each in error.problems)
+    return ()

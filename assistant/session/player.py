@@ -119,16 +119,20 @@ class Player:
         if isinstance(step, RobotLine):
             self._expected.append(step)
             return
-        if isinstance(step, Note | Expect):
+        if isinstance(step, Note):
             self._actual.append(step)
-            if isinstance(step, Expect):
-                self._compare(step)
+            return
+        if isinstance(step, Expect):
+            self._compare(step)
             return
         self._settle(step.line)
         self._actual.append(step)
         try:
             self._act(step)
         except AssistantError as error:
+            if self._actual[-1] is step:
+                # It was not done, and nothing was said of it.
+                self._actual.pop()
             raise _Differs(Difference(step.line, str(error))) from error
 
     def _act(self, step: TeacherLine | Wait | Demonstrate | SetupStep | Restart | Happened) -> None:
@@ -166,13 +170,16 @@ class Player:
 
     def _compare(self, step: Expect) -> None:
         view = {**self.session.dialogue_view, "arm": self.session.mover.view()}
-        for path, value in step.values.items():
-            why = difference(value, look_up(view, path))
+        real = {path: look_up(view, path) for path in step.values}
+        told = {path: difference(value, real[path]) for path, value in step.values.items()}
+        found = {path: real[path] if why else step.values[path] for path, why in told.items()}
+        self._actual.append(Expect(found, step.line))
+        for path, why in told.items():
             if why:
                 raise _Differs(Difference(step.line, f"{path}: {why}"))
 
     def _last_line(self) -> int:
-        return max((step.line for step in self.transcript.steps), default=0)
+        return max((step.line for step in self.transcript.steps), default=1)
 
 
 def actual_path(source: Path) -> Path:

@@ -11,7 +11,7 @@ from typing import Any
 from assistant.errors import AssistantError
 from assistant.model.transcript import Transcript
 from assistant.session.equipment import EquipmentMaker
-from assistant.session.player import Listener, Player, silent, write_actual
+from assistant.session.player import Listener, Played, Player, silent, write_actual
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,15 @@ class Replayed:
         """Return one line for people."""
         if self.passed:
             return f"{self.file}: passed ({self.wall_s:.1f} s)"
-        return f"{self.file}:{self.line or 0}: {self.why}"
+        return f"{self.file}:{self.line or 1}: {self.why}"
+
+
+def _kept(played: Played) -> str:
+    try:
+        return f"see {write_actual(played)}"
+    except AssistantError as error:
+        # What differs is worth more than where it is written down.
+        return f"what really happened is not kept: {error}"
 
 
 def replay(
@@ -56,6 +64,6 @@ def replay(
         else:
             if played.difference is not None:
                 line, why = played.difference.line, played.difference.why
-                why += f" (see {write_actual(played)})"
+                why += f" ({_kept(played)})"
     wall_s = round(time.monotonic() - began_s, 3)
     return Replayed(transcript.source, not why, line, why, wall_s)

@@ -96,7 +96,7 @@ def test_what_a_file_names_and_is_not_there_is_told(tmp_path: Path) -> None:
         "  - demonstrate: {recording: none.csv}\n  - setup: moon\n  - setup: none.yaml\n"
     )
     told = "\n".join(str(each).replace(str(tmp_path), "") for each in read_known(path).warnings)
-    assert "/x.yaml: there is no file /none.yaml" in told
+    assert "/x.yaml:4: there is no file /none.yaml" in told
     assert "/x.yaml:6: there is no file /none.csv" in told
     assert "/x.yaml:7: there is no setup 'moon'; known: demonstration" in told
     assert "/x.yaml:8: there is no setup file /none.yaml" in told
