@@ -21,6 +21,7 @@ from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
 from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse, texts_of
 from assistant.language.phrasebook import LANGUAGES
+from assistant.language.plain_forms import unbent
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, chance, label_of
 from assistant.language.words import Words
@@ -245,6 +246,7 @@ def candidates(
     pool: dict[str, Candidate] = {}
 
     def add(acts: tuple[TeacherAct, ...], looks: Looks) -> None:
+        acts = unbent(acts, words, hearing)
         one = pool.setdefault(key_of(acts), Candidate(acts))
         one.looks = {**looks, **one.looks}
 

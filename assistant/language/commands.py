@@ -30,6 +30,7 @@ from assistant.model.teacher_acts import (
     Approve,
     Assign,
     Deny,
+    Gripper,
     Merge,
     MoveCut,
     NewSetup,
@@ -107,6 +108,8 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
     if whole is not None and len(whole.acts) > 1 and whole.score >= LIKELY:
         parted = compound(words, hearing) if any(word.broken for word in words[1:]) else None
         whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
+    if whole is not None and whole.how == "motion" and len(whole.acts) == 1:
+        whole = _with_more(whole, words, hearing)
     if whole is not None and whole.score >= LIKELY:
         return settled(whole, hearing.listening)
     for other in (corrected, compound, topical):
@@ -116,6 +119,17 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
         if whole is not None and whole.score >= LIKELY:
             break
     return None if whole is None else settled(whole, hearing.listening)
+
+
+def _with_more(whole: Parse, words: Words, hearing: Hearing) -> Parse:
+    """Return a motion with what else the hand is to do: "mach die Hand auf" is all small words."""
+    joints = hearing.book.little["clause_joints"]
+    if not any(word.text in joints for word in words[1:]):
+        return whole
+    parted = compound(words, hearing)
+    if parted is None or parted.score < LIKELY:
+        return whole
+    return parted if any(isinstance(act, Gripper) for act in parted.acts) else whole
 
 
 def _denied(words: Words, hearing: Hearing) -> Parse | None:

@@ -264,7 +264,11 @@ def number_words(told: Mapping[str, Any]) -> NumberWords:
     """Return the words a language counts with, from the part `numbers` of its phrasebook."""
     ones = {word: value for value, word in enumerate(told["ones"].split())}
     tens = {word: 10 * value for value, word in enumerate(told["tens"].split(), start=2)}
-    ordinals = {word: value for value, word in enumerate(told["ordinals"].split(), start=1)}
+    ordinals = {
+        word + ending: value
+        for value, word in enumerate(told["ordinals"].split(), start=1)
+        for ending in ("", *told.get("ordinal_endings", "").split())
+    }
     units: dict[str, tuple[Kind, float]] = {}
     for key, names in pairs(told["units"]):
         kind, factor = key.split(":")

@@ -28,6 +28,7 @@ from assistant.language.parsing import (
     texts_of,
 )
 from assistant.language.phrasebook import phrasebook
+from assistant.language.plain_forms import unbent
 from assistant.language.repair import homophones, rejoined, respelled, without_slips
 from assistant.language.seeking import chances_of
 from assistant.language.sentences import best_sentence
@@ -89,8 +90,10 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
         heard, parse = heard_words, settled(short, listening)
     else:
         heard, parse = _best(words, hearing)
+    parse = replace(parse, acts=unbent(parse.acts, heard, hearing))
     chances = chances_of(words, heard, hearing)
     grammar = weighed(parse, heard, chances, hearing)
+    grammar = replace(grammar, acts=unbent(grammar.acts, heard, hearing))
     choice = chosen(parse, grammar, words, chances, hearing)
     return Reading(choice or grammar, words, heard, chances, hearing)
 

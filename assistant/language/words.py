@@ -23,6 +23,8 @@ _DASHES = dict.fromkeys((*range(0x2010, 0x2015), 0x2212), "-") | dict.fromkeys(
 )
 _UNDERSCORES = re.compile(r"(?<=[^\W_])_+(?=[^\W_])")
 OWNER = "'s"
+LED = "_"
+"""Marks a contraction that stands before another word, "d'_": "d'hand" is "die hand"."""
 MOST_CHARACTERS = 2000
 
 
@@ -110,6 +112,10 @@ def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Wo
     if piece in contractions:
         first, *rest = contractions[piece]
         return [Word(first, piece), *(Word(one, "") for one in rest)]
+    mark = piece.find("'") + 1
+    led = contractions.get(piece[:mark] + LED) if mark and piece[mark:] else None
+    if led:
+        return [Word(" ".join(led), piece[:mark]), *_spelled(piece[mark:], contractions)]
     mark = piece.rfind("'")
     for cut in (mark - 1, mark) if mark > 0 else ():
         if cut > 0 and piece[cut:] in contractions:

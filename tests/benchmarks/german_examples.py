@@ -29,7 +29,7 @@ from tests.benchmarks.slot_clauses import Clause, kind_of
 LANGUAGE = "german"
 OLD = ("german", "german_ways")
 """Every rule was tuned on these."""
-FRESH = ("german_dev", "german_talk")
+FRESH = ("german_dev", "german_talk", "german_dev1", "german_dev2", "german_regions")
 """First read before any rule was tuned on them: see ``first_readings_german.json.gz``."""
 _MARK = "¤"
 _MOST = 25

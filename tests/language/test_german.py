@@ -11,12 +11,15 @@ from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
     ASKED,
     STAGES,
+    AdjustLast,
+    Cue,
     Gripper,
     Inform,
     SetPose,
     Stop,
     Translate,
     Unknown,
+    Unordered,
     act_to_json,
 )
 from tests.benchmarks.bench_language import Row, rows, same
@@ -122,6 +125,11 @@ def test_umlauts_may_be_typed_in_any_way(text: str, typed: str) -> None:
             (Gripper("close"), Translate("up")),
         ),
         ("die Hand ist zu hoch", (Translate("down"),)),
+        (
+            "ein Stückchen höher und dann mach die Hand auf",
+            (Translate("up", "little"), Gripper("open")),
+        ),
+        ("zwei Zehntelmillimeter nach rechts", (Translate("right", distance_m=0.0002),)),
     ],
 )
 def test_places_are_told_apart_from_corrections(text: str, acts: Any) -> None:
@@ -132,7 +140,48 @@ def test_places_are_told_apart_from_corrections(text: str, acts: Any) -> None:
 def test_names_have_no_article(name: str) -> None:
     (act,) = understand(f"{name} steht 5 cm weiter links", PRACTICE, "german").acts
     assert isinstance(act, SetPose)
-    assert act.object == name.split(" ", 1)[1]
+    assert act.object == "roter Becher"
+
+
+@pytest.mark.parametrize("text", ["zum zweiten Schritt", "zweiter Schritt", "jetzt das zweite"])
+def test_places_in_a_row_may_be_bent(text: str) -> None:
+    assert understand(text, Listening(stage="demonstration"), "german").acts == (Cue(2),)
+
+
+@pytest.mark.parametrize(
+    ("text", "plain"),
+    [
+        ("d'Zange uffmache", "die Zange aufmachen"),
+        ("a bissle nach henta", "ein bisschen nach hinten"),
+        ("zwoi Zentimeter nuff", "zwei Zentimeter hinauf"),
+        ("net so schnell", "nicht so schnell"),
+        ("mach ma de Hand uff", "mach mal die Hand auf"),
+        ("zwee Zentimeter höha", "zwei Zentimeter höher"),
+        ("wat haste jesacht?", "was hast du gesagt?"),
+        ("nomml von vorn", "nochmal von vorn"),
+    ],
+)
+def test_dialect_means_what_plain_german_does(text: str, plain: str) -> None:
+    told, meant = (understand(one, PRACTICE, "german").acts for one in (text, plain))
+    assert told == meant != (Unknown(),)
+
+
+@pytest.mark.parametrize("text", ["Halten Sie augenblicklich inne!", "halt mal an", "halt an"])
+def test_a_stop_is_understood_in_every_order_of_its_words(text: str) -> None:
+    assert understand(text, PRACTICE, "german").acts == (Stop(),)
+
+
+@pytest.mark.parametrize("text", ["Reihenfolge egal", "beliebige Abfolge", "das ist doch wurscht"])
+def test_an_order_that_does_not_matter_names_no_steps(text: str) -> None:
+    listening = Listening(stage="introduction", asked="order")
+    assert understand(text, listening, "german").acts == (Unordered(()),)
+
+
+@pytest.mark.parametrize(
+    ("text", "factor"), [("Korrektur halbieren", 0.5), ("letzte Korrektur verdoppeln", 2.0)]
+)
+def test_verbs_of_doubling_tell_a_factor(text: str, factor: float) -> None:
+    assert understand(text, PRACTICE, "german").acts == (AdjustLast(factor=factor),)
 
 
 @pytest.mark.parametrize("text", ["die Hand schlurft nach links", "bring glimpfig was nach oben"])
