@@ -87,6 +87,8 @@ def _count(known: Knowledge, state: Introducing, value: Value) -> Answered:
 
 def _with_count(known: Knowledge, index: Index, count: int) -> Knowledge:
     node = at(known.root, index)
+    # A step of one part is one motion.
+    count = 0 if index and count == 1 else count
     if not index and count == 0:
         # A task of one motion is a root with that motion as its only part.
         alone = with_parts(node, (Sketch(known.name, True),))

@@ -78,6 +78,10 @@ def doubted(
         return instead
     if _says_yes_or_no(meant) and dialogue.pending is not None:
         return _yes_or_no(dialogue)
+    state = dialogue.state
+    if isinstance(state, Introducing) and state.asked != "confirm_tree" and _says_yes_or_no(meant):
+        missed = replace(dialogue, misses=dialogue.misses + 1)
+        return tell(missed, line("error", "not_an_answer"))
     asks = _says_yes_or_no(meant) and _asks(dialogue, words.text)
     if all(isinstance(act, acts.Unknown) for act in meant) or asks or not _fresh(dialogue, meant):
         return misunderstood(dialogue, words)
@@ -145,7 +149,7 @@ def _topic(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> str:
     state = dialogue.state
     only = meant[0] if len(meant) == 1 else None
     if isinstance(state, Introducing) and isinstance(only, acts.Inform):
-        plain = isinstance(only.value, str) or state.asked == "objects"
+        plain = isinstance(only.value, str) or (state.asked == "objects" and not state.index)
         return f"{TOPIC}.{state.asked}" if plain else TOPIC
     return TOPIC
 

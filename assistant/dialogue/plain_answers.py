@@ -8,7 +8,7 @@ from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
 from assistant.dialogue.unnamed import names_new_step
-from assistant.language.actions import read_action
+from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.asides import recounted
 from assistant.language.bodies import read_body
 from assistant.language.slips import stands
@@ -108,7 +108,10 @@ def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text
     match state.asked:
         case "body":
             return read_body(text, dialogue.language, state.thing).size_mm is not None
-        case "objects" if not state.index:
+        case "objects" if state.index:
+            known = dialogue.known.objects or ()
+            return len(mentioned_objects(text, known, dialogue.language)) == 1 and "?" not in text
+        case "objects":
             scene = dialogue.known.scene
             things = things_in(values, scene, dialogue.language)
             return bool(things) and all(thing.name in scene.bodies for thing in things)

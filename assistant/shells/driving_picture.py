@@ -13,6 +13,8 @@ from assistant.ports import ArmLook
 
 MARGIN_MM, ABOVE_MM = 60.0, 15.0
 """Room around what must be seen, on the table and above and below."""
+AHEAD_MM, ASIDE_MM = 100.0, 250.0
+"""What is seen about the hand where nothing tells how far things are."""
 OPEN, CLOSED, HAND, TABLE, EMPTY = "+", "*", "o", "_", "."
 SHUT_M = 0.010
 """A hand that is open by less than this is drawn closed."""
@@ -150,3 +152,17 @@ def seen_mm(look: ArmLook, tips: Sequence[Array], scene: Scene) -> Points:
     shown = [top for top in tops if low - 2.0 * MARGIN_MM < top < low + MARGIN_MM]
     floor = np.array([[*points[0, :2], min([*shown, low])]])
     return np.concatenate([points, floor])
+
+
+def around_mm(tip: Array, above_table_mm: float | None) -> Points:
+    """Return points, shape (2, 3), about a pose of the fingers, down to a table.
+
+    Parameters
+    ----------
+    tip : array, shape (7,)
+    above_table_mm : float or None
+        None where there is none below.
+    """
+    here = 1000.0 * tip[:3]
+    low = here - np.array([AHEAD_MM, ASIDE_MM, above_table_mm or 0.0])
+    return np.stack([low, here + np.array([AHEAD_MM, ASIDE_MM, 0.0])])

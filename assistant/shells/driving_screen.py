@@ -6,6 +6,7 @@ import shutil
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
 from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
@@ -14,7 +15,7 @@ from assistant.geometry import compose
 from assistant.ports import ArmLook
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
-from assistant.shells.driving_picture import SHUT_M, Sight, drawn, marks, seen_mm, sights
+from assistant.shells.driving_picture import SHUT_M, Sight, around_mm, drawn, marks, seen_mm, sights
 from assistant.shells.driving_view import (
     above_table,
     end_gap,
@@ -86,7 +87,12 @@ class Screen:
         bodies = [(look.bodies[n], b) for n, b in scene.bodies.items() if n in look.bodies]
         goals = [compose(compose(pose, body.hand_in_body), tip) for pose, body in bodies]
         goals += [] if self._end is None else [compose(self._end, tip)]
-        seen = seen_mm(look, [compose(look.hand, tip), *goals], scene)
+        here = compose(look.hand, tip)
+        placed = all(one.name in look.bodies for one in self._session.dialogue.known.objects or ())
+        seen = seen_mm(look, [here, *goals], scene)
+        if not placed:
+            # What is to be met somewhere is met on the table, to either side.
+            seen = np.concatenate([seen, around_mm(here, above_table(look, scene, tip))])
         return sights(seen, rows, across, facing=self.facing)
 
     def fragments(self, told: str, *, dragging: bool) -> StyleAndTextTuples:

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.machine import begin
+from assistant.dialogue.plain_answers import answers_plainly
+from assistant.dialogue.state import Introducing
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.task import TaskObject
 from assistant.session.meaning import meant
 from tests.dialogue.teaching import Lessons
 
@@ -172,3 +177,20 @@ def test_steps_told_at_length_are_read_back_as_steps(text: str) -> None:
         teacher.hear(acts.Affirm(), text="yes")
     parts = teacher.dialogue.known.root.parts
     assert [part.name for part in parts] == ["take it", "carry it over", "set it down"]
+
+
+def test_a_yes_that_answers_nothing_is_told_to_be_no_answer() -> None:
+    teacher = Lessons().open().tell("task").tell("done it is").tell(("block", "target"))
+    teacher.hear(acts.Affirm(), text="yes that will do", sure=0.5)
+    assert teacher.topics[0] == "error.not_an_answer"
+
+
+def test_the_thing_a_step_concerns_may_be_called_by_what_it_is() -> None:
+    things = (TaskObject("sugar bowl", "object"), TaskObject("tray", "target"))
+    opened = Lessons().open().dialogue
+    known = replace(opened.known, objects=things)
+    asked = replace(opened, known=known, state=Introducing("objects", (1,)))
+    answer = (acts.Inform(("bowl",)),)
+    assert answers_plainly(asked, answer, "the bowl I suppose")
+    assert not answers_plainly(asked, answer, "which bowl?")
+    assert not answers_plainly(asked, answer, "the bowl or the tray")

@@ -239,3 +239,11 @@ def test_a_number_that_the_steps_contradict_is_asked_about() -> None:
     text = "two steps: pick it up, carry it over, put it down"
     teacher.hear(acts.Inform(2), text=text)
     assert teacher.topics == ["ask.count_contradicted"]
+
+
+def test_a_step_of_one_part_is_a_single_motion() -> None:
+    teacher = Lessons().open().tell("task").tell("done it is").tell(("block", "target"))
+    teacher.tell(2).tell("fetch").tell("serve").tell(1)
+    root = teacher.dialogue.known.root
+    assert root.parts[0].single
+    assert root.parts[0].parts == ()

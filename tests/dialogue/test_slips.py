@@ -69,7 +69,7 @@ def test_none_is_no_thing_and_no_size() -> None:
 
 def test_it_is_the_thing_that_the_whole_step_speaks_of() -> None:
     teacher = Lessons().open().tell("tea").tell("done").tell(("block", "target"))
-    teacher.tell(1).tell("take the block by its side").tell(1).tell("grab it")
+    teacher.tell(1).tell("take the block by its side").tell(2).tell("grab it").tell("lift it")
     leaf = teacher.dialogue.known.root.parts[0].parts[0]
     assert leaf.action is not None
     assert leaf.action.object == "block"

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.model.scene import Scene
 from assistant.ports import ArmLook
-from assistant.shells.driving_picture import Sight, drawn, marks, seen_mm, sights
+from assistant.shells.driving_picture import Sight, around_mm, drawn, marks, seen_mm, sights
 from sim.driving import TIP
 
 
@@ -80,3 +80,11 @@ def test_every_thing_has_a_letter_of_its_own() -> None:
     told = marks(["block", "base", "b", "block b"])
     assert len(set(told.values())) == 4
     assert told["block"] == "B"
+
+
+def test_where_nothing_is_placed_the_table_is_seen_far_below_and_to_both_sides() -> None:
+    tip = np.array([0.5, 0.0, 0.6, 0.0, 0.0, 0.0, 1.0])
+    low, high = around_mm(tip, 360.0)
+    assert (low[2], high[2]) == pytest.approx((240.0, 600.0))
+    assert low[1] < 0.0 < high[1]
+    assert around_mm(tip, None)[0][2] == pytest.approx(600.0)
