@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from assistant.dialogue.state import Knowledge
+from assistant.geometry import Array, pose_to_mm_deg
 from assistant.model.scene import Body
+from assistant.model.setup import Place
 
 ASSUMED_MM = (60.0, 40.0, 100.0)
 """Size of a thing whose size the teacher does not know: the shipped block's."""
@@ -19,6 +21,9 @@ HELD_MM = 60.0
 CLEAR_MM, EDGE_MM = 54.0, 10.0
 """The palm clears a table from this height on; fingers stay this far below a body's top."""
 MASS_KG = 0.2
+MET_MM, LET_GO_MM = (-15.0, 15.0), (-30.0, 60.0)
+"""How far from a table's top a thing that stands on it may seem to be: where the hand closed on
+it, and, of a place for things, where it opened; most open it well above."""
 WIDEST_MM = 75.0
 """The fingers open 80 mm; what is wider than this they cannot be put around."""
 
@@ -55,6 +60,36 @@ def fitted(known: Knowledge) -> Knowledge:
     if bodies == known.scene.bodies:
         return known
     return replace(known, scene=replace(known.scene, bodies=bodies))
+
+
+def standing(known: Knowledge, thing: str, hand: Array) -> Place:
+    """Return where a thing is that the hand met: on the table, if it is near it there.
+
+    Nobody closes or opens a hand just as high as a thing stands, and a thing that is a little
+    in the table, or over it, could be neither grasped nor met again.
+
+    Parameters
+    ----------
+    known : Knowledge
+    thing : str
+    hand : array, shape (7,)
+        The flange, when it closed on the thing or opened at it.
+    """
+    xyz, rpy = pose_to_mm_deg(hand)
+    x, y, z = (round(float(value), 3) for value in xyz)
+    roll, pitch, yaw = (round(float(value), 3) for value in rpy)
+    place = Place("hand", (x, y, z), (roll, pitch, yaw))
+    if thing not in known.shaped:
+        return place
+    base_mm = 1000.0 * float(known.scene.body_pose(thing, place)[2])
+    targets = [one.name for one in known.objects or () if one.role == "target"]
+    low, high = LET_GO_MM if thing in targets else MET_MM
+    tops = [table.xyz_mm[2] + table.size_mm[2] for table in known.scene.tables]
+    near = [top for top in tops if low <= base_mm - top <= high]
+    if not near:
+        return place
+    lower_mm = min((base_mm - top for top in near), key=abs)
+    return replace(place, xyz_mm=(x, y, round(z - lower_mm, 3)))
 
 
 def too_wide(known: Knowledge) -> str:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, tell
-from assistant.dialogue.bodies import WIDEST_MM, too_wide
+from assistant.dialogue.bodies import WIDEST_MM, standing, too_wide
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
@@ -15,11 +15,9 @@ from assistant.dialogue.sketch import at, put
 from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewing, Running, Thinking
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.dialogue.unnamed import introduced_late, names_new_step, no_step_of_its_own
-from assistant.geometry import pose_to_mm_deg
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson, Question
 from assistant.model.robot_acts import About, RobotAct
-from assistant.model.setup import Place
 
 SLOW_REPLAY = 0.5
 _DOUBTED = "doubtfully_shown"
@@ -78,10 +76,7 @@ def with_lesson(known: Knowledge, lesson: Lesson) -> Knowledge:
     places = dict(known.setup.places)
     for station in lesson.stations:
         if station.frame not in places and station.frame:
-            xyz, rpy = pose_to_mm_deg(station.frame_to_world)
-            x, y, z = (round(float(value), 3) for value in xyz)
-            roll, pitch, yaw = (round(float(value), 3) for value in rpy)
-            places[station.frame] = Place("hand", (x, y, z), (roll, pitch, yaw))
+            places[station.frame] = standing(known, station.frame, station.frame_to_world)
     setup = replace(known.setup, places=places)
     return replace(known, lesson=lesson, learned_root=known.root, reviewed=False, setup=setup)
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
-from assistant.dialogue.bodies import CLEAR_MM, HELD_MM, with_body
+from assistant.dialogue.bodies import CLEAR_MM, HELD_MM, standing, with_body
 from assistant.dialogue.state import Knowledge
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
-from assistant.model.scene import Scene
-from assistant.model.setup import Setup
+from assistant.model.scene import Obstacle, Scene
+from assistant.model.setup import Place, Setup
 from assistant.model.task import TaskObject
 from tests.dialogue.teaching import Lessons, demonstration
 
@@ -81,3 +83,30 @@ def test_what_is_too_wide_to_hold_is_told_at_once(size: str, wide: bool) -> None
         teacher.tell("I will show you")
     assert teacher.asked == "body"
     assert "told.too_wide" not in teacher.tell("a box, 30 by 30 by 1 cm").topics
+
+
+TABLE = Obstacle("table", (900.0, 900.0, 40.0), (500.0, 0.0, 200.0))
+
+
+@pytest.mark.parametrize(
+    ("thing", "over_mm", "stands"),
+    [
+        *(("lid", over, True) for over in (-12.0, 0.0, 12.0)),
+        # A thing may stand on another one; nothing is known of that.
+        *(("lid", over, False) for over in (40.0, -40.0)),
+        *(("jar", over, True) for over in (-12.0, 50.0)),
+        ("jar", 90.0, False),
+    ],
+)
+def test_what_the_hand_met_near_the_table_stands_on_it(
+    thing: str, over_mm: float, stands: bool
+) -> None:
+    known = replace(KNOWN, scene=Scene(tables=(TABLE,)))
+    known = with_body(known, "lid", "cylinder", (60.0, 60.0, 100.0))
+    known = with_body(known, "jar", "box", (60.0, 60.0, 20.0))
+    met = known.scene.hand_pose(thing, Place("body", (500.0, 100.0, 240.0 + over_mm)))
+    place = standing(known, thing, met)
+    base = known.scene.body_pose(thing, place)
+    assert base[:2] == pytest.approx((0.5, 0.1))
+    wanted = 240.0 if stands else 240.0 + over_mm
+    assert 1000.0 * base[2] == pytest.approx(wanted, abs=0.01)
