@@ -51,6 +51,7 @@ Name = Annotated[
     str,
     StringConstraints(strict=True, min_length=1, max_length=200),
     AfterValidator(_one_line),
+    Field(json_schema_extra={"pattern": r"^\S([^\x00-\x1f\x7f]*\S)?$"}),
 ]
 NameOrNone = Annotated[str, StringConstraints(strict=True, max_length=200)]
 Triple = tuple[Number, Number, Number]
@@ -68,6 +69,21 @@ class Form(BaseModel):
             keys = [field.alias or name for name, field in cls.model_fields.items()]
             info.context[id(data)] = keys
         return data
+
+
+def exactly_one(*keys: str) -> ConfigDict:
+    """Return what tells editors that a mapping has exactly one of some keys."""
+    return ConfigDict(json_schema_extra={"oneOf": [{"required": [key]} for key in keys]})
+
+
+def or_nothing(key: str) -> ConfigDict:
+    """Return what tells editors that nothing may stand behind a key."""
+
+    def open_up(schema: dict[str, Any]) -> None:
+        told = schema["properties"][key]
+        schema["properties"][key] = {"anyOf": [told, {"type": "null"}]}
+
+    return ConfigDict(json_schema_extra=open_up)
 
 
 def shape_of(value: Any) -> str:

@@ -9,7 +9,7 @@ from typing import Any, Literal
 from pydantic import Field, model_validator
 
 from assistant.errors import BadInput, Problem
-from assistant.files.forms import Form, Name, Triple, check_format, validated
+from assistant.files.forms import Form, Name, Triple, check_format, exactly_one, validated
 from assistant.files.writing import write_text
 from assistant.model.setup import READY, Place, Setup
 from assistant.plain_yaml import Document, read_file, tidy, write
@@ -20,6 +20,7 @@ FORMAT = "setup/1"
 class PlaceForm(Form):
     """A place, told either by the body's base or by the flange, never mixed."""
 
+    model_config = exactly_one("xyz_mm", "hand_xyz_mm")
     xyz_mm: Triple | None = Field(None, description="middle of the body's base")
     rpy_deg: Triple | None = Field(None, description="turns about fixed x, then y, then z")
     hand_xyz_mm: Triple | None = Field(None, description="the flange when it grasps there")

@@ -18,6 +18,8 @@ from assistant.files.forms import (
     as_number,
     as_text,
     by_shape,
+    exactly_one,
+    or_nothing,
 )
 from assistant.files.setups import SetupForm
 from assistant.model.robot_acts import RobotActName
@@ -68,6 +70,7 @@ class RobotForm(Form):
 class DemonstrateForm(Form):
     """The task is shown: by a recording or by the scripted hand."""
 
+    model_config = exactly_one("recording", "hand")
     recording: Name | None = None
     hand: Literal["scripted"] | None = None
     seed: Whole | None = None
@@ -122,24 +125,28 @@ class TeacherStep(Form):
 class RobotStep(Form):
     """One line of the robot: its words, a /pattern/, or its meaning."""
 
+    model_config = or_nothing("robot")
     robot: RobotLineForm
 
 
 class RobotMaybeStep(Form):
     """At most one such line."""
 
+    model_config = or_nothing("robot?")
     robot: RobotLineForm = Field(alias="robot?")
 
 
 class RobotAnyStep(Form):
     """Any number of such lines."""
 
+    model_config = or_nothing("robot*")
     robot: RobotLineForm = Field(alias="robot*")
 
 
 class RobotSomeStep(Form):
     """At least one such line."""
 
+    model_config = or_nothing("robot+")
     robot: RobotLineForm = Field(alias="robot+")
 
 
@@ -172,6 +179,7 @@ class ExpectStep(Form):
 class RestartStep(Form):
     """The program dies and starts again with what was flushed."""
 
+    model_config = or_nothing("restart")
     restart: Annotated[dict[str, JsonValue], BeforeValidator(_nothing)]
 
 
@@ -222,6 +230,7 @@ StepForm = Annotated[
 class TranscriptFile(Form):
     """transcript/1."""
 
+    model_config = or_nothing("steps")
     format: Literal["transcript/1"]
     title: Text
     setup: SetupLineForm | None = None

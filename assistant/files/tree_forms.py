@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import ConfigDict, Discriminator, Field, Tag, model_validator
 
-from assistant.files.forms import Form, Name, Text, Truth
+from assistant.files.forms import Form, Name, Text, Truth, exactly_one
 from assistant.model.conditions import CONDITIONS, Condition
 from assistant.model.task import Action, Order, Primitive, Role, Subtask, TaskObject, Verb
 
@@ -21,6 +21,7 @@ _VERBS: tuple[Verb, ...] = ("move", "turn", "hand", "free")
 class ActionForm(Form):
     """What a primitive does: one of move, turn, hand and free, and with which object."""
 
+    model_config = exactly_one(*_VERBS)
     move: Move | None = None
     turn: Turn | None = None
     hand: Literal["open", "close"] | None = None
@@ -51,6 +52,7 @@ class PairForm(Form):
 class ConditionForm(Form):
     """A state, told by exactly one key."""
 
+    model_config = ConfigDict(json_schema_extra={"minProperties": 1, "maxProperties": 1})
     hand: Literal["open", "closed"] | None = None
     docked: Name | None = None
     held: Name | None = None

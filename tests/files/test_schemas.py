@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from typing import Any
 
 import pytest
@@ -43,3 +44,29 @@ def test_unknown_keys_are_refused_in_every_mapping_with_known_ones(kind: str) ->
     for name, form in {**made["$defs"], kind: made}.items():
         if "properties" in form:
             assert form["additionalProperties"] is False, name
+
+
+def test_what_may_be_left_empty_and_what_excludes_itself_is_told() -> None:
+    made = schema("transcript")
+    forms = made["$defs"]
+    empty = {"RobotStep": "robot", "RobotAnyStep": "robot*", "RestartStep": "restart"}
+    for told in (forms[name]["properties"][key] for name, key in empty.items()):
+        assert {"type": "null"} in told["anyOf"]
+    assert {"type": "null"} in made["properties"]["steps"]["anyOf"]
+    one = [{"required": ["xyz_mm"]}, {"required": ["hand_xyz_mm"]}]
+    assert forms["PlaceForm"]["oneOf"] == one
+    assert forms["DemonstrateForm"]["oneOf"] == [
+        {"required": ["recording"]},
+        {"required": ["hand"]},
+    ]
+    tree = schema("task")["$defs"]
+    assert len(tree["ActionForm"]["oneOf"]) == 4
+    assert tree["ConditionForm"]["maxProperties"] == 1
+
+
+def test_names_of_a_schema_are_those_of_the_reader() -> None:
+    pattern = re.compile(schema("setup")["properties"]["name"]["pattern"], re.ASCII)
+    for name in ("a", "größer als", "a-b", "1"):
+        assert pattern.search(name)
+    for name in (" a", "a ", "a\nb", "", "a\x7fb"):
+        assert not pattern.search(name)
