@@ -19,36 +19,40 @@ from assistant.language.cutting import cuts
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
-from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse, texts_of
+from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse
 from assistant.language.phrasebook import LANGUAGES
 from assistant.language.plain_forms import unbent
-from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, chance, label_of
-from assistant.language.words import Words
+from assistant.language.trusting import (
+    FREE_ANSWERS,
+    chatting,
+    consenting,
+    names_step,
+    strange,
+    trusted_from,
+)
+from assistant.language.weighing import praised
+from assistant.language.words import Words, said
 from assistant.model.teacher_acts import (
     Affirm,
     Approve,
     Deny,
-    Explain,
     Inform,
-    SetPose,
     Stop,
     TeacherAct,
     Unknown,
-    act_to_json,
 )
 from assistant.plain_yaml import read_file
 
 CUT_BELOW = 0.93
 """A line is cut where the whole is less likely one act."""
-PLAIN_FROM = 0.9
+PLAIN_FROM = 0.5
 """A sentence of the phrasebook is weighed where its words tell its act less likely."""
 _BESIDE_ANSWERS = (*ASIDE, Inform, Unknown)
-_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.9, 0.8, 0.75, 0.4
-"""What the grammar is sure of is doubted below."""
 _DOUBTED = 0.65
 """Where the grammar is surer that words mean nothing here, they are no answer."""
-_FREE_ANSWERS = ("goal", "facing")
+_SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
+_JOINED_NAME = 5
 _MOST_WHOLE = 6
 _LEAST = 1e-4
 _SPREAD = 5.0
@@ -101,9 +105,15 @@ def chosen(
     known = weights(hearing.language)
     if known is None or not chances or Stop() in weighed.acts or plain(weighed, chances):
         return None
+    if _is_name(weighed, words, hearing) and chance(weighed.acts, chances) >= PLAIN_FROM:
+        return None
     pool = candidates(first, weighed, words, chances, hearing)
     ranked = ranking(pool, known.choice)
     best = ranked[0][1]
+    found = weighed.score >= ACTING and names_step(weighed.acts, hearing)
+    if found and not names_step(best.acts, hearing):
+        # Names of known steps are found by the grammar alone, and seldom by chance.
+        return None
     right = 1 / (1 + math.exp(-_told(known.sureness, sure_looks(ranked))))
     return Parse(best.acts, _score(best.acts, right, weighed, chances, words, hearing), "chosen")
 
@@ -119,61 +129,19 @@ def _score(
     """Return how sure a choice is: what the grammar is sure of stays so unless it is doubted."""
     known = weights(hearing.language)
     score = scaled(right, known.sure_at if known else 1.0)
-    unheard = isinstance(weighed.acts[0], Unknown) or _chatting(words, hearing)
+    unheard = isinstance(weighed.acts[0], Unknown) or chatting(words, hearing)
     if unheard and not isinstance(acts[0], Unknown):
         score = min(score, GUESSED)
-    if kind_of(acts) == "motion" and _strange(acts, words, hearing):
+    if kind_of(acts) == "motion" and strange(acts, words, hearing):
         # It may tell how far or how fast: "more to the left, a pochino".
         score, weighed = min(score, DOUBTFUL), replace(weighed, score=min(weighed.score, DOUBTFUL))
     if acts != weighed.acts:
         return score
-    trusted = _trusted_from(acts, hearing)
+    trusted = trusted_from(weighed, hearing)
     trusted = min(trusted, known.exact_from) if known and weighed.exact else trusted
-    if _consenting(weighed, chances) or right >= trusted:
+    if consenting(weighed, chances, hearing) or right >= trusted:
         return max(score, weighed.score)
     return score
-
-
-def _trusted_from(acts: tuple[TeacherAct, ...], hearing: Hearing) -> float:
-    """Return from which probability the grammar is trusted: known names and counts are plain."""
-    act, listening = acts[0], hearing.listening
-    pages = [act_to_json(one) for one in acts]
-    values = [value for page in pages for value in page.values()]
-    told = {str(one) for v in values for one in (v if isinstance(v, list) else [v])}
-    told |= {str(page["where"].get("subtask")) for page in pages if page.get("where")}
-    if told & set(listening.subtasks) or isinstance(act, Unknown):
-        return 0.0
-    if isinstance(act, Inform):
-        free = isinstance(act.value, int) or listening.asked in _FREE_ANSWERS
-        return _PLAINLY if free else _ANSWERING
-    placed = isinstance(act, SetPose) and act.object in listening.objects
-    return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
-
-
-def _strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> bool:
-    """Tell a word that stands in no list, is no slip of one, and is in no name."""
-    book = hearing.book
-    spelled = respelled(words, book, hearing.listening.objects)
-    strange = {
-        w.text
-        for w in spelled
-        if w.text.isalpha() and w.text not in book.vocabulary and w.text not in book.real
-    }
-    pages = [act_to_json(one) for one in acts]
-    named = " ".join(str(page["where"].get("subtask")) for page in pages if page.get("where"))
-    return bool(strange - set(named.lower().split()))
-
-
-def _consenting(weighed: Parse, chances: Chances) -> bool:
-    """Tell whether yes and praise are the only rivals: after a question they say the same."""
-    first = max(chances, key=lambda label: chances[label])
-    return {first, *map(label_of, weighed.acts)} <= {"affirm", "approve"}
-
-
-def _chatting(words: Words, hearing: Hearing) -> bool:
-    """Tell talk of other matters, misspelled as well."""
-    spelled = respelled(words, hearing.book, hearing.listening.objects)
-    return bool({*texts_of(words), *texts_of(spelled)} & hearing.book.chat)
 
 
 def _kept_from(
@@ -183,6 +151,8 @@ def _kept_from(
 
     Nor is a yes or no told by words that stand in no list.
     """
+    if praised(weighed.acts, acts, words, hearing):
+        return True
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Inform):
         return weighed.score > _DOUBTED
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Affirm | Deny | Approve):
@@ -190,19 +160,41 @@ def _kept_from(
         return any(w.text not in book.vocabulary and w.text not in book.real for w in words)
     if not isinstance(weighed.acts[0], Inform):
         return False
-    if hearing.listening.asked in _FREE_ANSWERS or weighed.score >= LIKELY:
+    if _told_whole(words, hearing) and isinstance(acts[0], Inform):
+        return True
+    if hearing.listening.asked in FREE_ANSWERS or weighed.score >= LIKELY:
         beside = Inform if hearing.listening.asked == "facing" else _BESIDE_ANSWERS
         return not all(isinstance(act, beside) for act in acts)
     return any(isinstance(act, NOT_ANSWERS) for act in acts)
 
 
+def _told_whole(words: Words, hearing: Hearing) -> bool:
+    """Tell answers no part of which stands for them: where one stands, how big a thing is."""
+    asked, numbers = hearing.listening.asked, hearing.book.numbers
+    measured = asked == "body" and any(numbers.number((word.text,), 0) for word in words)
+    return asked == "facing" or measured
+
+
+def _is_name(weighed: Parse, words: Words, hearing: Hearing) -> bool:
+    """Tell few words that are all of them the name asked for: "press fit and glue"."""
+    most = _SHORT_NAMES.get(hearing.listening.asked or "", 0)
+    if most and any(word.text in hearing.book.little["and"] for word in words[1:-1]):
+        most = _JOINED_NAME
+    sure = len(words) <= most and weighed.score >= ACTING
+    return sure and weighed.acts == (Inform(said(words)),)
+
+
 def plain(weighed: Parse, chances: Chances) -> bool:
     """Tell a sentence of the phrasebook whose words tell its act: nothing is left to weigh.
 
-    Where names or places are told, which words tell them is always weighed.
+    Where names or places are told, which words tell them is always weighed. What is listed as
+    meaning nothing here, "thank you", is not heard as an answer.
     """
-    told = weighed.exact and kind_of(weighed.acts) not in ("named", "placed", "inform")
-    return told and chance(weighed.acts, chances) >= PLAIN_FROM
+    if not weighed.exact or kind_of(weighed.acts) in ("named", "placed", "inform"):
+        return False
+    nothing = weighed.acts == (Unknown(),) and weighed.score >= ACTING
+    beside = isinstance(weighed.acts[0], ASIDE)
+    return nothing or beside or chance(weighed.acts, chances) >= PLAIN_FROM
 
 
 def scaled(right: float, sure_at: float) -> float:
@@ -260,7 +252,7 @@ def candidates(
         },
     )
     add(first.acts, {"first": 1.0, "first_score": _logit(first.score)})
-    chat = isinstance(weighed.acts[0], Unknown) and _chatting(words, hearing)
+    chat = isinstance(weighed.acts[0], Unknown) and chatting(words, hearing)
     for acts, looks in [] if chat else _learned(weighed, words, chances, hearing):
         if Stop() not in acts and not _kept_from(acts, weighed, words, hearing):
             add(settled(Parse(acts, ACTING), hearing.listening).acts, looks)

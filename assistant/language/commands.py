@@ -25,6 +25,7 @@ from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
     AddSubtask,
     AdjustLast,
+    AdjustSpeed,
     Affirm,
     Again,
     Approve,
@@ -38,11 +39,13 @@ from assistant.model.teacher_acts import (
     Rename,
     RepeatLine,
     Resume,
+    Rotate,
     Save,
     Split,
     Start,
     Stop,
     TeacherAct,
+    Translate,
     Undo,
     Unknown,
     Unordered,
@@ -184,7 +187,7 @@ def settled(parse: Parse, listening: Listening) -> Parse:
             acts = tuple(act for act in acts if not isinstance(act, implied))
     if listening.asked == "ready":
         acts = tuple(Start() if isinstance(act, Resume) else act for act in acts)
-    unique = merged(tuple(dict.fromkeys(acts)))
+    unique = _again_last(merged(tuple(dict.fromkeys(acts))))
     if unique == (Unordered(),) and listening.stage == "practice":
         return Parse(unique, DOUBTFUL, parse.how)
     return Parse(unique, parse.score, parse.how)
@@ -195,6 +198,16 @@ _IMPLIED: tuple[tuple[type[TeacherAct], tuple[type[TeacherAct], ...]], ...] = (
     (Resume, (Start, Undo, AdjustLast)),
     (NewSetup, (Start, Again)),
 )
+
+
+_CORRECTING = (AdjustLast, AdjustSpeed, Rotate, Translate)
+
+
+def _again_last(acts: tuple[TeacherAct, ...]) -> tuple[TeacherAct, ...]:
+    """Return acts with the correction first: "again, more left" is corrected, then run."""
+    if Again() not in acts or not any(isinstance(act, _CORRECTING) for act in acts):
+        return acts
+    return (*(act for act in acts if act != Again()), Again())
 
 
 def _answered(acts: tuple[TeacherAct, ...], listening: Listening) -> tuple[TeacherAct, ...]:

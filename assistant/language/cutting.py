@@ -9,7 +9,6 @@ from assistant.language.learned import Learned, learned
 from assistant.language.parsing import Hearing
 from assistant.language.words import Words
 
-_JOINTS = frozenset(("and", "then", "but", "also", "plus", "so"))
 _MOST_CUTS = 5
 
 
@@ -25,10 +24,11 @@ class Cut:
 
 def cuts(words: Words, hearing: Hearing) -> list[Cut]:
     """Return the likeliest ways to cut a line into two or three clauses."""
+    joints = hearing.book.little["cut_joints"]
     places = [
         at
         for at in range(1, len(words))
-        if words[at].broken or (words[at].text in _JOINTS and at + 1 < len(words))
+        if words[at].broken or (words[at].text in joints and at + 1 < len(words))
     ][:_MOST_CUTS]
     read: dict[tuple[int, int], Learned | None] = {}
     found: list[Cut] = []
@@ -62,7 +62,7 @@ def _read(
 
 
 def _best(words: Words, hearing: Hearing) -> Learned | None:
-    while len(words) > 1 and words[0].text in _JOINTS:
+    while len(words) > 1 and words[0].text in hearing.book.little["cut_joints"]:
         words = words[1:]
     readings = learned(words, hearing, most=2)
     if not readings or readings[0].label == "unknown":

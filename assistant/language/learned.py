@@ -20,12 +20,12 @@ from assistant.language.parsing import Hearing, texts_of
 from assistant.language.poses import read_pose
 from assistant.language.repair import respelled
 from assistant.language.runs import named_text
-from assistant.language.tagging import TAKES, Tagged, chain, tagging
-from assistant.language.traits import word_traits
-from assistant.language.words import Words, said, told
+from assistant.language.tagging import TAKES, Tagged, chain, seconded, tagging, unparted
+from assistant.language.traits import NO_TRAITS, word_traits
+from assistant.language.words import OWNER, Words, said, told
 from assistant.model.teacher_acts import ACTS, SetPose, TeacherAct, Where
 
-LEAST, MOST = 0.04, 4
+LEAST, MOST = 0.05, 4
 """Acts are looked for that are likelier, this many at most."""
 _LEAST = 1e-6
 _CLOSED = {
@@ -77,15 +77,17 @@ def learned(
         chances = likelihoods(*told, hearing.listening, hearing.language)
     likely = sorted((label for label, p in chances.items() if p >= LEAST), key=chances.__getitem__)
     labels = dict.fromkeys((*likely[: -most - 1 : -1], *(one for one in also if one in chances)))
-    traits = word_traits(spelled, hearing)
+    kinds = [(label, kind) for label in labels for kind in kinds_of(label, hearing)]
+    telling = any(TAKES.get(kind) for _, kind in kinds)
+    traits = word_traits(spelled, hearing) if telling else NO_TRAITS
+    seen = seconded(spelled, hearing.listening, hearing.language, known) if telling else None
     found: list[Learned] = []
-    for label in labels:
-        for kind in kinds_of(label, hearing):
-            spread = tagging(traits, kind, known)
-            act = made(label, kind, spread.spans, words, spelled, hearing) if spread else None
-            if spread is not None and act is not None:
-                logs = (math.log(max(p, _LEAST)) for p in (chances[label], spread.probability))
-                found.append(Learned(act, label, *logs))
+    for label, kind in kinds:
+        spread = tagging(traits, kind, known, seen)
+        act = made(label, kind, spread.spans, words, spelled, hearing) if spread else None
+        if spread is not None and act is not None:
+            logs = (math.log(max(p, _LEAST)) for p in (chances[label], spread.probability))
+            found.append(Learned(act, label, *logs))
     return found
 
 
@@ -110,6 +112,9 @@ def made(
 ) -> TeacherAct | None:
     """Return the act with its slots; None if one that it needs cannot be read."""
     name, _, closed = label.partition(" ")
+    listed = kind == "inform many" and hearing.listening.asked == "subtask_name"
+    if listed and unparted(spans, words, hearing.book.little["step_joints"]):
+        return None
     slots: dict[str, Any] = {}
     if name in _CLOSED and closed not in ("factor", "at"):
         slots[_CLOSED[name]] = closed
@@ -120,9 +125,9 @@ def made(
         elif slot in _LISTS:
             slots[slot] = (*slots.get(slot, ()), _name(words, (start, end), hearing))
         elif slot in _OWN:
-            part = _bare(words[start:end])
+            part = _bare(words[start:end], hearing)
             text = (
-                told(part) if hearing.listening.asked == "goal" else said(part).removesuffix("'s")
+                told(part) if hearing.listening.asked == "goal" else said(part).removesuffix(OWNER)
             )
             slots[slot] = (*slots.get(slot, ()), text) if kind == "inform many" else text
         elif slot != "amount":
@@ -145,21 +150,20 @@ def _name(words: Words, span: tuple[int, int], hearing: Hearing) -> str:
     """Return the name a stretch tells: "it" behind a lone verb belongs to it, "let go of it"."""
     start, end = span
     lone = end - start == 1 and end + 1 < len(words) and not words[end].broken
-    if lone and words[end].text == "it" and words[end + 1].text in _BEHIND_NAMES:
-        end += 1
+    little = hearing.book.little
+    if lone and words[end].text in little["pronoun"]:
+        end += words[end + 1].text in little["behind_pronoun"]
     known = frames(hearing.language)
     if known is not None and is_cut_short(start, end, words, known):
         end += 1
-    if texts_of(words[end : end + 2]) == ("of", "it"):
+    behind = texts_of(words[end : end + 2])
+    if len(behind) == 2 and behind[0] in little["owned_by"] and behind[1] in little["pronoun"]:
         end += 2
-    return named_text(words, (start, end), hearing).removesuffix("'s")
+    return named_text(words, (start, end), hearing).removesuffix(OWNER)
 
 
-_BEHIND_NAMES = frozenset(("into", "in", "to", "as", "and", "with", "from", "before", "after"))
-
-
-def _bare(words: Words) -> Words:
-    articles = ("the", "a", "an")
+def _bare(words: Words, hearing: Hearing) -> Words:
+    articles = hearing.book.little["answers_articles"]
     while len(words) > 1 and words[0].text in articles:
         words = words[1:]
     return words

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from assistant.language.families import families
 from assistant.language.frames import classes_of
+from assistant.language.nets import Net, act_odds, unpacked
 from assistant.language.phrasebook import LANGUAGES, Phrase
 from assistant.model.listening import Listening
 
@@ -39,10 +40,13 @@ class Model:
     labels : tuple of str
         An act with what its closed slot holds: "gripper open", "show tree", "undo".
     weights : array, shape (BUCKETS, labels)
+    net : Net or None
+        Seconds the linear model: labels are as likely as both say together.
     """
 
     labels: tuple[str, ...]
     weights: NDArray[np.float32]
+    net: Net | None = None
 
 
 @cache
@@ -53,7 +57,7 @@ def model(language: str) -> Model | None:
         return None
     with np.load(path) as file:
         weights = file["weights"].astype(np.float32) * float(file["scale"])
-        return Model(tuple(str(one) for one in file["labels"]), weights)
+        return Model(tuple(str(one) for one in file["labels"]), weights, unpacked(file, "net"))
 
 
 def likelihoods(
@@ -72,6 +76,9 @@ def likelihoods(
     told = features(said, respelled, listening, language)
     scores = scales(told) @ np.take(known.weights, [row_of(one) for one in told], axis=0)
     odds = np.exp(scores - scores.max())
+    if known.net is not None:
+        second = act_odds(respelled, listening.asked, listening.stage, known.net, language)
+        odds = np.sqrt(odds / odds.sum() * second)
     return dict(zip(known.labels, (odds / odds.sum()).tolist(), strict=True))
 
 

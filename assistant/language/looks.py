@@ -33,7 +33,7 @@ _KINDS: Mapping[str, str] = {
 }
 _BY_KIND = (
     *("weighed", "whole_top", "agreed", "cut"),
-    *("likely", "slots_likely", "chance", "weighed_score", "exact"),
+    *("likely", "slots_likely", "chance", "weighed_score", "exact", "left", "bare"),
 )
 """Looks that tell more of some kinds of acts than of others."""
 _ARTICLE = re.compile(r"\b(the|a|an) ")
@@ -76,6 +76,8 @@ def look_at(
         one.looks |= _likely(one.looks)
         kind = kind_of(one.acts)
         one.looks[f"kind_{kind}"] = 1.0
+        if kind == "inform":
+            one.looks[f"asked_{hearing.listening.asked}"] = 1.0
         for look in _BY_KIND:
             if one.looks.get(look):
                 one.looks[f"{kind}_{look}"] = one.looks[look]
@@ -142,6 +144,8 @@ def _names(one: Candidate, words: Words, hearing: Hearing) -> Looks:
         "longer_names": float(longest > 4),
         "odd_names": float(bool(own & book.impure)),
         "strange": min(strange, 4.0),
+        "left": min(len(left), 8) / 4,
+        "bare": float(not left),
         "filled": min(sum(len(page) - 1 for page in pages), 5) / 2,
     }
 

@@ -11,16 +11,20 @@ Source: conditional random fields (Lafferty, McCallum and Pereira 2001).
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cache, lru_cache
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from assistant.language.nets import Net, Seen, seen_by, tag_scores, unpacked
 from assistant.language.phrasebook import LANGUAGES
 from assistant.language.traits import Hashes, mixed, named
+from assistant.language.words import Words
+from assistant.model.listening import Listening
 
 SLOTS = (
     "value",
@@ -77,6 +81,8 @@ _FREE = frozenset(("name", "after", "before", "object", *_PLACED))
 _NAMED = frozenset(("add_subtask",))
 _MANY = frozenset(("inform many", "merge", "unordered"))
 _NEVER = -1e9
+_SECOND = 0.7
+"""How much the net counts beside the weights."""
 Scores = NDArray[np.float32]
 _State = tuple[int, tuple[int, ...]]
 
@@ -90,10 +96,13 @@ class Chain:
     weights : array, shape (BUCKETS, tags)
     steps : array, shape (tags, tags)
         From one tag to the next.
+    net : Net or None
+        Seconds the weights.
     """
 
     weights: Scores
     steps: Scores
+    net: Net | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,12 +125,15 @@ class Ways:
         Whether one may follow another.
     begins, ends : array, shape (states,)
         Whether a clause may begin or end there.
+    share : array, shape (states,)
+        One over how many states have the same tag.
     """
 
     tags: NDArray[np.int64]
     steps: NDArray[np.bool_]
     begins: NDArray[np.bool_]
     ends: NDArray[np.bool_]
+    share: Scores
 
 
 @cache
@@ -132,7 +144,8 @@ def chain(language: str) -> Chain | None:
         return None
     with np.load(path) as file:
         scale = float(file["scale"])
-        return Chain(file["weights"].astype(np.float32) * scale, file["steps"].astype(np.float32))
+        weights = file["weights"].astype(np.float32) * scale
+        return Chain(weights, file["steps"].astype(np.float32), unpacked(file, "net"))
 
 
 def rows(traits: Hashes, kind: str) -> NDArray[np.int64]:
@@ -163,7 +176,9 @@ def ways_of(kind: str) -> Ways:
         for group in groups
     ]
     ends = [all(had >= need for had, need in zip(s[1], needed, strict=True)) for s in states]
-    return Ways(np.array([s[0] for s in states]), steps, steps[0], np.array(ends))
+    tags = np.array([s[0] for s in states])
+    share = (1 / np.bincount(tags)[tags]).astype(np.float32)
+    return Ways(tags, steps, steps[0], np.array(ends), share)
 
 
 def _next(
@@ -188,13 +203,33 @@ def _steps(kind: str, known: Chain) -> tuple[NDArray[np.float32], NDArray[np.flo
     return steps, np.exp(steps.astype(np.float64))
 
 
-def tagging(traits: Hashes, kind: str, known: Chain) -> Tagging | None:
-    """Return the likeliest slots of a kind of act in a clause; None if they cannot be told."""
+def seconded(words: Words, listening: Listening, language: str, known: Chain) -> Seen | None:
+    """Return what a chain's net sees of a clause, spelling repaired; None without a net."""
+    if known.net is None:
+        return None
+    told = [(word.broken, not word.said, word.text[:1].isdigit()) for word in words]
+    marks = np.array(told, dtype=np.float32)
+    texts = [word.text for word in words]
+    return seen_by(texts, marks, listening.asked, listening.stage, known.net, language)
+
+
+def tagging(traits: Hashes, kind: str, known: Chain, seen: Seen | None = None) -> Tagging | None:
+    """Return the likeliest slots of a kind of act in a clause; None if they cannot be told.
+
+    Parameters
+    ----------
+    seen : Seen, optional
+        What the net sees of the clause, see `seconded`.
+    """
     if not TAKES.get(kind) or not len(traits):
         return Tagging((), 1.0)
     ways = ways_of(kind)
     told = np.take(known.weights, rows(traits, kind), axis=0)
     emitted = (np.ones(told.shape[1], np.float32) @ told)[:, ways.tags]
+    if seen is not None and known.net is not None:
+        second = tag_scores(seen, kind, known.net)[:, ways.tags]
+        top = second.max(axis=1, keepdims=True)
+        emitted += _SECOND * (second - top - np.log(_once(np.exp(second - top), ways)))
     steps, factors = _steps(kind, known)
     best = np.where(ways.begins, emitted[0], _NEVER)
     back: list[NDArray[np.int64]] = []
@@ -212,6 +247,11 @@ def tagging(traits: Hashes, kind: str, known: Chain) -> Tagging | None:
     likely = float(best[at]) - _all_together(emitted, ways, factors)
     tags = [TAGS[ways.tags[one]] for one in reversed(path)]
     return Tagging(spans_of_tags(tags), math.exp(min(likely, 0.0)))
+
+
+def _once(odds: Scores, ways: Ways) -> Scores:
+    """Return the sums over tags, of which several states may share one."""
+    return np.asarray((odds * ways.share).sum(axis=1, keepdims=True))
 
 
 def _all_together(emitted: NDArray[np.float32], ways: Ways, factors: NDArray[np.float64]) -> float:
@@ -245,3 +285,12 @@ def tags_of_spans(spans: Tagged, size: int) -> list[int]:
         for at in range(start, end):
             tags[at] = TAGS.index(f"{'B' if at == start else 'I'}-{slot}")
     return tags
+
+
+def unparted(spans: Tagged, words: Words, joints: Collection[str]) -> bool:
+    """Tell steps between which no mark and no joining word stands: "push the box to the line"."""
+    return any(
+        not any(word.broken for word in words[end : start + 1])
+        and not any(word.text in joints for word in words[end:start])
+        for (_, _, end), (_, start, _) in pairwise(spans)
+    )

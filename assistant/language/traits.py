@@ -19,6 +19,7 @@ from assistant.language.parsing import Hearing, texts_of
 from assistant.language.words import Words
 
 Hashes = NDArray[np.uint32]
+NO_TRAITS: Hashes = np.zeros((0, 0), dtype=np.uint32)
 _MIX = np.uint32(0x9E3779B1)
 _EDGE = "<>"
 _OWN, _CLASSES, _MARKS = 7, 3, 2

@@ -25,6 +25,7 @@ from assistant.model.teacher_acts import (
     RepeatLine,
     Show,
     Stop,
+    TeacherAct,
     Unknown,
     act_name,
     act_to_json,
@@ -75,6 +76,18 @@ def weighed(parse: Parse, heard: Words, chances: Chances, hearing: Hearing) -> P
     return best
 
 
+def praised(
+    acts: tuple[TeacherAct, ...],
+    others: tuple[TeacherAct, ...],
+    words: Words,
+    hearing: Hearing,
+) -> bool:
+    """Tell praise behind a yes to what was asked, which says the same: it is no other reading."""
+    if acts != (Affirm(),) or others != (Approve(),) or not words:
+        return False
+    return hearing.listening.asked is not None and words[0].text in hearing.book.yes
+
+
 def _unheard(heard: Words, hearing: Hearing) -> bool:
     """Tell whether some word is in no list: a yes or no is not told by such."""
     book = hearing.book
@@ -100,6 +113,8 @@ def _others(
         if isinstance(other.acts[0], Inform) and isinstance(parse.acts[0], Unknown):
             continue
         if isinstance(other.acts[0], Affirm | Deny | Approve) and _unheard(heard, hearing):
+            continue
+        if praised(parse.acts, other.acts, heard, hearing):
             continue
         if not answers or (isinstance(other.acts[0], _INSTEAD) and likely > _MOSTLY):
             yield other, likely

@@ -14,6 +14,7 @@ import sys
 from collections.abc import Mapping
 from importlib.util import find_spec
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,8 @@ _LAYERS, _HEADS = 6, 12
 _FIRST, _LAST = 101, 102
 _BATCH, _KEPT, _COMMON, _ROUNDS = 512, 96, 8000, 12
 _EPSILON = 1e-12
+_VECTORS, _AXES = 12000, 48
+"""How many vectors of common words are kept, along how many of their first axes."""
 Array = NDArray[np.float32]
 Weights = Mapping[str, Array]
 
@@ -118,6 +121,12 @@ def _even(points: Array) -> Array:
     return np.asarray(points / np.linalg.norm(points, axis=1, keepdims=True))
 
 
+def _stepped(points: Array) -> NDArray[np.int8]:
+    """Return vectors of length one in steps of a 127th of their largest part."""
+    points = points / np.linalg.norm(points, axis=1, keepdims=True)
+    return np.asarray(np.round(points * 127 / np.abs(points).max()), dtype=np.int8)
+
+
 def main() -> None:
     """Group the words the model knows, print the families of some, and write on demand."""
     lines = (folder() / "vocab.txt").read_text(encoding="utf-8").split("\n")
@@ -140,7 +149,9 @@ def main() -> None:
         print(f"{word}: {' '.join(w for w, one in zip(words, same, strict=True) if one)}")
     if "--write" in sys.argv:
         path = Path(families.__file__).parent / LANGUAGES["english"] / "families.npz"
-        told = {"small": small.astype(np.int16), "large": large.astype(np.int16)}
+        told: dict[str, NDArray[Any]] = {"small": small.astype(np.int16)}
+        told["large"] = large.astype(np.int16)
+        told["points"] = _stepped(points[:_VECTORS, :_AXES])
         np.savez_compressed(path, allow_pickle=False, words=np.array(" ".join(words)), **told)
         print(f"{len(words)} words, {path.name}: {path.stat().st_size} bytes")
 

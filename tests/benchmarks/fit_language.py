@@ -10,7 +10,8 @@ import sys
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, cast, get_args
+from unittest.mock import patch
 from zlib import crc32
 
 import numpy as np
@@ -19,18 +20,24 @@ from scipy.optimize import minimize
 from scipy.sparse import csr_matrix
 
 from assistant.language import likelihood
+from assistant.language.nets import Net, context_of, packed, told_beside
 from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.repair import respelled
 from assistant.language.similarity import spelled_out
 from assistant.model.listening import Listening
-from assistant.model.teacher_acts import STAGES
+from assistant.model.teacher_acts import STAGES, Asked
 from assistant.plain_yaml import read_file
+from tests.benchmarks import act_net, net_fitting
 from tests.benchmarks.aligning import prepared
-from tests.benchmarks.bench_language import CORPUS, FILES, FRESH, SURE, rows
+from tests.benchmarks.bench_language import CORPUS, FILES, FRESH, SURE, Row, rows
+from tests.benchmarks.patterns import made
 
 _PENALTY = 0.3
 _SPEAKER = 1.0
 _TEMPLATE = 0.35
+_PATTERN = 0.3
+_SEEN, _EPOCHS = 1.2, 12
+"""How often the net sees an example that counts one, and how often it sees them all."""
 
 
 @dataclass(frozen=True)
@@ -48,13 +55,18 @@ def spoken(files: Iterable[str]) -> Iterator[Example]:
     """Yield the sentences of corpora, in the words understanding goes about."""
     for file in files:
         for row in rows(file if file.endswith(".yaml") else f"{file}.yaml"):
-            labels = tuple(
-                dict.fromkeys(
-                    likelihood.label(act["act"], {k: _whole(v) for k, v in act.items()})
-                    for act in row.acts
-                )
-            )
-            yield Example(f"{file}/{row.speaker}", row.text, row.listening, labels, _SPEAKER)
+            yield _example(file, row, _SPEAKER)
+
+
+def patterned() -> Iterator[Example]:
+    """Yield sentences made of patterns."""
+    return (_example("patterns", row, _PATTERN) for row in made())
+
+
+def _example(source: str, row: Row, weight: float) -> Example:
+    told = ({k: _whole(v) for k, v in act.items()} for act in row.acts)
+    labels = tuple(dict.fromkeys(likelihood.label(str(act["act"]), act) for act in told))
+    return Example(f"{source}/{row.speaker}", row.text, row.listening, labels, weight)
 
 
 def chatted() -> Iterator[Example]:
@@ -130,7 +142,24 @@ def model_of(examples: Sequence[Example]) -> likelihood.Model:
     labels = sorted({told for one in examples for told in one.labels})
     weights = np.array([one.weight for one in examples])
     told = fitted(matrix(examples, "english"), targets(examples, labels), weights)
-    return likelihood.Model(tuple(labels), told.astype(np.float32))
+    return likelihood.Model(tuple(labels), told.astype(np.float32), net_of(examples, labels))
+
+
+def net_of(examples: Sequence[Example], labels: Sequence[str]) -> Net:
+    """Return the net fitted on examples; those that count little are seen seldom."""
+    context = (*(f"?{one}" for one in (None, *get_args(Asked))), *(f"!{one}" for one in STAGES))
+    empty, book = Net({}, context), phrasebook("english")
+    taken = [
+        net_fitting.told(
+            [w.text for w in respelled(prepared(one.text, one.listening, book), book, ())],
+            "english",
+            context_of(told_beside(one.listening.asked, one.listening.stage), empty),
+        )
+        for one in examples
+    ]
+    counts = np.minimum(1.0, np.array([one.weight for one in examples]) * _SEEN)
+    wanted = targets(examples, labels).astype(np.float32)
+    return act_net.fitted_net(taken, wanted, counts, context, _EPOCHS)
 
 
 def targets(examples: Sequence[Example], labels: Sequence[str]) -> NDArray[np.float64]:
@@ -143,16 +172,21 @@ def targets(examples: Sequence[Example], labels: Sequence[str]) -> NDArray[np.fl
     return found
 
 
-def told_by(weights: NDArray[np.float64], examples: Sequence[Example]) -> NDArray[np.float64]:
+def told_by(model: likelihood.Model, examples: Sequence[Example]) -> NDArray[np.float64]:
     """Return the probability of each label for each example."""
-    scores = matrix(examples, "english") @ weights
-    odds = np.exp(scores - scores.max(axis=1, keepdims=True))
-    return np.asarray(odds / odds.sum(axis=1, keepdims=True))
+    book, found = phrasebook("english"), []
+    with patch.object(likelihood, "model", lambda language: model):
+        for one in examples:
+            words = prepared(one.text, one.listening, book)
+            told = tuple(w.text for w in words), tuple(w.text for w in respelled(words, book, ()))
+            odds = likelihood.likelihoods(*told, one.listening)
+            found.append([odds[label] for label in model.labels])
+    return np.array(found)
 
 
-def report(weights: NDArray[np.float64], unseen: Sequence[Example], labels: Sequence[str]) -> None:
+def report(model: likelihood.Model, unseen: Sequence[Example]) -> None:
     """Print how well acts of sentences that were not learned from are known."""
-    odds = told_by(weights, unseen)
+    odds, labels = told_by(model, unseen), model.labels
     best = [labels[at] for at in odds.argmax(axis=1)]
     acts = [{told.split()[0] for told in one.labels} for one in unseen]
     right = np.array([one.split()[0] in told for one, told in zip(best, acts, strict=True)])
@@ -165,12 +199,15 @@ def report(weights: NDArray[np.float64], unseen: Sequence[Example], labels: Sequ
                 print(f"  {one.text!r} [{one.listening.asked}]: {one.labels}, not {told}")
 
 
-def write(weights: NDArray[np.float64], labels: Sequence[str]) -> None:
+def write(weights: NDArray[Any], labels: Sequence[str], net: Net | None = None) -> None:
     """Write the weights in steps of a 127th of the largest."""
     scale = float(np.abs(weights).max() / 127)
+    told = packed(net, "net") if net else {}
     path = Path(likelihood.__file__).parent / LANGUAGES["english"] / "likelihood.npz"
     steps = np.round(weights / scale).astype(np.int8)
-    np.savez_compressed(path, labels=np.array(labels), weights=steps, scale=scale)
+    np.savez_compressed(
+        path, allow_pickle=False, labels=np.array(labels), weights=steps, scale=scale, **told
+    )
     print(f"{path.name}: {path.stat().st_size} bytes")
 
 
@@ -178,16 +215,14 @@ def main() -> None:
     """Fit on all corpora but those named, and print how well these are known."""
     tested = [one for one in sys.argv[1:] if not one.startswith("-")]
     learned = [*spoken(one for one in (*FILES, *FRESH) if one not in tested), *chatted()]
-    learned += written("english")
+    learned += [*patterned(), *written("english")]
     unseen = list(spoken(tested))
-    labels = sorted({told for one in [*learned, *unseen] for told in one.labels})
-    weights = np.array([one.weight for one in learned])
-    print(f"{len(learned)} examples, {len(labels)} labels")
-    told = fitted(matrix(learned, "english"), targets(learned, labels), weights)
+    print(f"{len(learned)} examples", flush=True)
+    model = model_of(learned)
     if unseen:
-        report(told, unseen, labels)
+        report(model, [one for one in unseen if set(one.labels) <= set(model.labels)])
     if "--write" in sys.argv:
-        write(told, labels)
+        write(model.weights, model.labels, model.net)
 
 
 if __name__ == "__main__":

@@ -9,22 +9,28 @@ import sys
 from collections import Counter
 from collections.abc import Sequence
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from assistant.language import tagging
+from assistant.language.nets import Net, context_of, packed, told_beside
 from assistant.language.parsing import Hearing
 from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.repair import respelled
-from assistant.language.tagging import BUCKETS, TAGS, Chain, Tagged
+from assistant.language.tagging import BUCKETS, TAGS, TAKES, Chain, Tagged
 from assistant.language.traits import word_traits
 from assistant.language.words import Words
+from assistant.model.teacher_acts import STAGES, Asked
+from tests.benchmarks import net_fitting, tag_net
 from tests.benchmarks.bench_language import FILES, FRESH
-from tests.benchmarks.slot_clauses import Clause, clauses, renamed
+from tests.benchmarks.patterns import made
+from tests.benchmarks.slot_clauses import Clause, clauses, clauses_of, renamed
 
 _BATCH, _EPOCHS, _RATE = 48, 4, 0.05
+_NET_EPOCHS = 6
 _DECAY = 1e-4
 _KEPT = 0.5
 """The share of traits that count in a step: no single one is leaned on."""
@@ -43,8 +49,14 @@ def sequence(one: Clause) -> Sequenced:
     return tagging.rows(traits, one.kind), tags, np.unique(tagging.ways_of(one.kind).tags)
 
 
-def fitted(clauses: Sequence[Clause], seed: int = 3) -> Chain:
-    """Return weights by stochastic gradients (AdaGrad) of the likelihood of the tags."""
+def fitted(clauses: Sequence[Clause], seed: int = 3, *, net: bool = False) -> Chain:
+    """Return weights by stochastic gradients (AdaGrad) of the likelihood of the tags.
+
+    Parameters
+    ----------
+    net : bool
+        Whether a net of English words seconds them.
+    """
     rng = np.random.default_rng(seed)
     more = [one for _ in range(_COPIES) for one in renamed(clauses, rng)]
     told = [sequence(one) for one in [*clauses, *more]]
@@ -63,7 +75,32 @@ def fitted(clauses: Sequence[Clause], seed: int = 3) -> Chain:
             weights -= _RATE * slope / np.sqrt(seen)
             stepped += turn**2
             steps -= _RATE * turn / np.sqrt(stepped)
-    return Chain(weights, steps)
+    return Chain(weights, steps, net_of([*clauses, *more]) if net else None)
+
+
+def net_of(clauses: Sequence[Clause]) -> Net:
+    """Return the net fitted on clauses."""
+    kinds = sorted(one for one, slots in TAKES.items() if slots)
+    context = (
+        *(f"?{one}" for one in (None, *get_args(Asked))),
+        *(f"!{one}" for one in STAGES),
+        *(f"={one}" for one in kinds),
+    )
+    empty, book = Net({}, context), phrasebook()
+    told, wanted, allowed = [], [], np.zeros((len(clauses), len(TAGS)), bool)
+    for n, one in enumerate(clauses):
+        words = respelled(one.words, book, ())
+        marks = [(w.broken, not w.said, w.text[:1].isdigit()) for w in words]
+        beside = told_beside(one.listening.asked, one.listening.stage, one.kind)
+        texts = [w.text for w in words]
+        told.append(
+            net_fitting.told(
+                texts, "english", context_of(beside, empty), np.array(marks, np.float32)
+            )
+        )
+        wanted.append(np.array(tagging.tags_of_spans(one.spans, len(words))))
+        allowed[n, tagging.ways_of(one.kind).tags] = True
+    return tag_net.fitted_net(told, wanted, allowed, context, _NET_EPOCHS)
 
 
 def _slopes(
@@ -135,7 +172,8 @@ def report(chain: Chain, unseen: Sequence[Clause]) -> None:
     book, wrong = phrasebook(), Counter[str]()
     for one in unseen:
         traits = word_traits(respelled(one.words, book, ()), Hearing(book, one.listening))
-        got = tagging.tagging(traits, one.kind, chain)
+        seen = tagging.seconded(respelled(one.words, book, ()), one.listening, "english", chain)
+        got = tagging.tagging(traits, one.kind, chain, seen)
         told, meant = _said(got.spans if got else (), one.words), _said(one.spans, one.words)
         wrong[one.kind] += told != meant
         if told != meant and "--show" in sys.argv:
@@ -159,7 +197,9 @@ def write(chain: Chain) -> None:
     limit = float(np.quantile(told, 0.9995))
     path = Path(tagging.__file__).parent / LANGUAGES["english"] / "slots.npz"
     steps = np.trunc(np.clip(chain.weights, -limit, limit) / limit * 127).astype(np.int8)
-    np.savez_compressed(path, weights=steps, scale=limit / 127, steps=chain.steps)
+    net = packed(chain.net, "net") if chain.net else {}
+    told = {"weights": steps, "scale": limit / 127, "steps": chain.steps, **net}
+    np.savez_compressed(path, allow_pickle=False, **told)
     print(f"{path.name}: {path.stat().st_size} bytes")
 
 
@@ -167,12 +207,14 @@ def main() -> None:
     """Fit on all speakers to write, or with a share of the fresh ones withheld."""
     missed = Counter[str]()
     old, fresh = list(clauses(FILES, missed)), list(clauses(FRESH, missed))
+    old += clauses_of("patterns", made(), missed)
     print(f"{len(old) + len(fresh)} clauses; slots not found {dict(missed)}")
     if "--write" in sys.argv:
-        write(fitted([*old, *fresh]))
+        write(fitted([*old, *fresh], net=True))
         return
     held = set(sorted({one.speaker for one in fresh})[::_FOLDS])
-    chain = fitted([*old, *(one for one in fresh if one.speaker not in held)])
+    known = [*old, *(one for one in fresh if one.speaker not in held)]
+    chain = fitted(known, net=True)
     report(chain, [one for one in fresh if one.speaker in held])
 
 

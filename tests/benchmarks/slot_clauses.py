@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from assistant.language.tagging import Tagged
 from assistant.language.words import Word, Words
 from assistant.model.listening import Listening
 from tests.benchmarks.aligning import aligned
-from tests.benchmarks.bench_language import rows
+from tests.benchmarks.bench_language import Row, rows
 
 _ANY = "*"
 
@@ -44,15 +44,22 @@ def kind_of(act: Mapping[str, Any], asked: str | None) -> str:
 
 def clauses(files: Sequence[str], missed: Counter[str] | None = None) -> Iterator[Clause]:
     """Yield the sentences of corpora that are one act each, where its slots are found."""
-    book, missing = phrasebook(), Counter[str]() if missed is None else missed
     for file in files:
-        for row in rows(f"{file}.yaml"):
-            one = aligned(row, book, missing)
-            kind = kind_of(row.acts[0], row.listening.asked)
-            free = kind == "inform" and row.acts[0]["value"] == _ANY
-            if free or len(one.spans) > 1 or one.spans[0] is None or not tagging.TAKES.get(kind):
-                continue
-            yield Clause(f"{file}/{row.speaker}", one.words, row.listening, kind, one.spans[0])
+        yield from clauses_of(file, rows(f"{file}.yaml"), missed)
+
+
+def clauses_of(
+    source: str, said: Iterable[Row], missed: Counter[str] | None = None
+) -> Iterator[Clause]:
+    """Yield those of some sentences that are one act each, where its slots are found."""
+    book, missing = phrasebook(), Counter[str]() if missed is None else missed
+    for row in said:
+        one = aligned(row, book, missing)
+        kind = kind_of(row.acts[0], row.listening.asked)
+        free = kind == "inform" and row.acts[0]["value"] == _ANY
+        if free or len(one.spans) > 1 or one.spans[0] is None or not tagging.TAKES.get(kind):
+            continue
+        yield Clause(f"{source}/{row.speaker}", one.words, row.listening, kind, one.spans[0])
 
 
 def renamed(clauses: Sequence[Clause], rng: np.random.Generator) -> Iterator[Clause]:

@@ -40,6 +40,12 @@ def test_slots_are_read_from_the_words_that_hold_them(text: str, act: dict[str, 
     assert read(text)[0] == act
 
 
+def test_a_pronoun_behind_a_lone_verb_is_of_its_name() -> None:
+    """Which words may follow it stands in the lists of the language."""
+    found = read("split lift it into two", stage="learning")
+    assert found[0] == {"act": "split", "subtask": "lift it"}
+
+
 def test_a_list_is_told_apart_item_by_item() -> None:
     found = read("a red cup, a jug and some napkins", stage="introduction", asked="objects")
     assert found[0]["value"][:2] == ["red cup", "jug"]

@@ -38,6 +38,23 @@ from assistant.model.teacher_acts import act_to_json
         ("what now", "practice", None, {"act": "help"}),
         ("bring it back", "practice", None, {"act": "redo"}),
         ("watch me", "demonstration", "ready", {"act": "start"}),
+        ("slow down to sixty per cent", "practice", None,
+         {"act": "adjust_speed", "factor": 0.6}),
+        ("grating is over at nine decimal five seconds", "learning", None,
+         {"act": "move_cut", "at_s": 9.5, "subtask": "grating"}),
+        ("3? nah 4", "introduction", "subtask_count", {"act": "inform", "value": 4}),
+        ("I will show you", "introduction", "objects", {"act": "unknown"}),
+        ("let me have a look at it first", "introduction", "confirm_tree",
+         {"act": "show", "what": "tree"}),
+        ("show them to me", "learning", "confirm_segmentation",
+         {"act": "show", "what": "segmentation"}),
+        ("peg: 500, -50, 120, rpy 0 0 90", "practice", "pose",
+         {"act": "set_pose", "object": "peg", "position_mm": [500.0, -50.0, 120.0],
+          "rpy_deg": [0.0, 0.0, 90.0]}),
+        ("twist and glue", "introduction", "task_name",
+         {"act": "inform", "value": "twist and glue"}),
+        ("rename the task to lid sorting", "introduction", None,
+         {"act": "rename", "old": "task", "new": "lid sorting"}),
     ],
 )  # fmt: skip
 def test_kinds_of_sentences_once_misunderstood(
@@ -47,7 +64,15 @@ def test_kinds_of_sentences_once_misunderstood(
     assert [act_to_json(one) for one in meant.acts] == [act]
 
 
-@pytest.mark.parametrize("text", ["do it over, a lot slower", "a lot slower, do it over"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        "do it over, a lot slower",
+        "a lot slower, do it over",
+        "one time more, but with less speed",
+        "again, slower",
+    ],
+)
 def test_a_run_asked_for_once_more_is_not_lost_beside_how(text: str) -> None:
     meant = understand(text, Listening(stage="practice"))
     assert [act_to_json(one)["act"] for one in meant.acts] == ["adjust_speed", "again"]

@@ -17,6 +17,7 @@ from assistant.language.tagging import (
     spans_of_tags,
     tagging,
     tags_of_spans,
+    unparted,
     ways_of,
 )
 from assistant.language.traits import word_traits
@@ -96,3 +97,13 @@ def test_an_act_without_slots_has_one_spread() -> None:
     told = tagging(traits, "undo", some_chain(1))
     assert told is not None
     assert (told.spans, told.probability) == ((), 1.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "apart"),
+    [("push box to line", True), ("push box, line", False), ("push box and line", False)],
+)
+def test_steps_of_a_list_are_parted_by_marks_or_joints(text: str, apart: bool) -> None:
+    words = words_of(text, {})
+    spans: Tagged = (("value", 0, 2), ("value", len(words) - 1, len(words)))
+    assert unparted(spans, words, {"and"}) is apart

@@ -1,0 +1,72 @@
+"""How far the grammar is trusted with what it is sure of, and what makes its words doubtful."""
+
+from __future__ import annotations
+
+from assistant.language.parsing import Hearing, Parse, texts_of
+from assistant.language.repair import respelled
+from assistant.language.seeking import Chances, label_of
+from assistant.language.words import Words
+from assistant.model.teacher_acts import (
+    Explain,
+    Inform,
+    SetPose,
+    TeacherAct,
+    Unknown,
+    act_to_json,
+)
+
+FREE_ANSWERS = ("goal", "facing")
+_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.9, 0.8, 0.75, 0.4
+"""What the grammar is sure of is doubted below."""
+_TRIED = "again"
+"""How a correction is read that is to be tried at once: each of its parts is plain."""
+
+
+def trusted_from(weighed: Parse, hearing: Hearing) -> float:
+    """Return from which probability the grammar is trusted: known names and counts are plain."""
+    act, listening = weighed.acts[0], hearing.listening
+    if weighed.how == _TRIED:
+        return _ANSWERING
+    if names_step(weighed.acts, hearing) or isinstance(act, Unknown):
+        return 0.0
+    if isinstance(act, Inform):
+        free = isinstance(act.value, int) or listening.asked in FREE_ANSWERS
+        return _PLAINLY if free else _ANSWERING
+    placed = isinstance(act, SetPose) and act.object in listening.objects
+    return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
+
+
+def names_step(acts: tuple[TeacherAct, ...], hearing: Hearing) -> bool:
+    """Tell acts that name a step the lesson knows."""
+    pages = [act_to_json(one) for one in acts]
+    values = [value for page in pages for value in page.values()]
+    told = {str(one) for v in values for one in (v if isinstance(v, list) else [v])}
+    told |= {str(page["where"].get("subtask")) for page in pages if page.get("where")}
+    return bool(told & set(hearing.listening.subtasks))
+
+
+def strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> bool:
+    """Tell a word that stands in no list, is no slip of one, and is in no name."""
+    book = hearing.book
+    spelled = respelled(words, book, hearing.listening.objects)
+    odd = {
+        w.text
+        for w in spelled
+        if w.text.isalpha() and w.text not in book.vocabulary and w.text not in book.real
+    }
+    pages = [act_to_json(one) for one in acts]
+    named = " ".join(str(page["where"].get("subtask")) for page in pages if page.get("where"))
+    return bool(odd - set(named.lower().split()))
+
+
+def consenting(weighed: Parse, chances: Chances, hearing: Hearing) -> bool:
+    """Tell whether the only rivals say the same: yes and praise, or yes and go when asked so."""
+    first = max(chances, key=lambda label: chances[label])
+    agreeing = {"affirm", "start" if hearing.listening.asked == "ready" else "approve"}
+    return {first, *map(label_of, weighed.acts)} <= agreeing
+
+
+def chatting(words: Words, hearing: Hearing) -> bool:
+    """Tell talk of other matters, misspelled as well."""
+    spelled = respelled(words, hearing.book, hearing.listening.objects)
+    return bool({*texts_of(words), *texts_of(spelled)} & hearing.book.chat)
