@@ -10,6 +10,7 @@ from assistant.dialogue.naming import (
     Value,
     alike,
     is_no_step,
+    is_size,
     name_and_steps,
     number_of,
     steps_in,
@@ -24,6 +25,9 @@ from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.bodies import read_body
 from assistant.model.robot_acts import RobotAct
 from assistant.model.task import Action, Index
+
+SHORTEST_GOAL = 3
+"""Letters of a goal: "y" tells none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,6 +44,8 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
     match state.asked:
         case "task_name":
             return _task_name(known, value)
+        case "goal" if len(text_of(value).strip()) < SHORTEST_GOAL:
+            return Answered(known, (line("error", "not_an_answer"),))
         case "goal":
             return Answered(replace(known, goal=tidy_name(text_of(value))))
         case "objects" if state.index:
@@ -73,13 +79,15 @@ def _task_name(known: Knowledge, value: Value) -> Answered:
 
 def _count(known: Knowledge, state: Introducing, value: Value) -> Answered:
     index = state.index
-    count = number_of(value, known.language)
-    steps = steps_in(value, 2, known.language) if not isinstance(value, int) else ()
+    sized = is_size(value)
+    count = None if sized else number_of(value, known.language)
+    named = not (sized or isinstance(value, int))
+    steps = steps_in(value, 2, known.language) if named else ()
     if state.named and count is not None:
         return _settled(known, state, count)
     if len(steps) > 1 or (steps and count is None):
         return _placed(known, index, steps)
-    if count is None or count < 0 or count > MOST_PARTS:
+    if count is None or not 0 <= count <= MOST_PARTS:
         told = line("error", "count", most=MOST_PARTS)
         return Answered(known, (told,))
     return Answered(_with_count(known, index, count))

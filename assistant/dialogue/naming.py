@@ -35,6 +35,11 @@ def number_of(value: Value, language: str = "english") -> int | None:
     return next((numbers[word] for word in re.findall(r"[^\W\d_]+", text) if word in numbers), None)
 
 
+def is_size(value: Value) -> bool:
+    """Whether an answer is a size such as "30 x 20 x 1"."""
+    return re.search(r"\d\s*[xX*]\s*\d", text_of(value)) is not None
+
+
 def tidy(name: str, language: str = "english") -> str:
     """Return a name without quotes, end marks and openers such as "first you"."""
     text = re.sub(r"\s+", " ", name).strip(QUOTES)

@@ -16,6 +16,7 @@ from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language import asides
 from assistant.language.actions import read_action
+from assistant.language.bodies import read_body
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
@@ -33,6 +34,12 @@ def unknowing(dialogue: Dialogue, text: str) -> bool:
     if not isinstance(state, Introducing):
         return False
     later = state.asked == "pose" and mentions(text, hints("shown_later", dialogue.language))
+    if (
+        state.asked == "body"
+        and read_body(text, dialogue.language, state.thing).size_mm is not None
+    ):
+        # "No idea, 10 by 6 by 4" is an idea.
+        return False
     told = later and re.search(r"\d", text) is None
     return told or asides.unknowing(text, dialogue.language)
 

@@ -247,3 +247,17 @@ def test_a_step_of_one_part_is_a_single_motion() -> None:
     root = teacher.dialogue.known.root
     assert root.parts[0].single
     assert root.parts[0].parts == ()
+
+
+def test_a_letter_is_no_goal_and_a_size_no_number_of_steps() -> None:
+    teacher = Lessons().open().tell("task").tell("y")
+    assert teacher.topics[0] == "error.not_an_answer"
+    teacher.tell("all is tidy").tell(("block", "target")).tell("box 30x20x1")
+    assert teacher.topics[0] == "error.count"
+    assert teacher.dialogue.known.root.parts == ()
+
+
+def test_who_has_no_idea_of_a_size_may_tell_one_all_the_same() -> None:
+    teacher = Lessons().open().tell("task").tell("all is tidy").tell(("drum", "target"))
+    teacher.hear(acts.Unknown(), text="idk 10x6x4cm", sure=0.9)
+    assert teacher.dialogue.known.scene.bodies["drum"].size_mm == (100.0, 60.0, 40.0)
