@@ -44,7 +44,7 @@ def fits(
         _character(leaf, leaf.name in ends, between, seen, leaf.name in reach, settings)
         + handled(leaf, task, between, seen, told, settings)
         - settings.decoding.event * otherwise(between, holding.get(leaf.name))[:, None]
-        + _objects(leaf, {} if leaf.name in moved else places, between, settings)
+        + _objects(leaf, {} if leaf.name in moved else places, leaf.name in ends, between, settings)
         + _elsewhere(leaf, {} if leaf.name in moved else places, alike, between, settings)
         + _lasting(leaf, between, usual_s, settings)
         for leaf in leaves
@@ -163,6 +163,7 @@ def _turning(way: str, between: Stretches) -> Array:
 def _objects(
     leaf: Primitive,
     places: dict[str, Array],
+    ends_there: bool,
     between: Stretches,
     settings: SegmentationSettings,
 ) -> Array:
@@ -177,6 +178,9 @@ def _objects(
         return np.broadcast_to(weight * close[:, None], between.lasting_s.shape).copy()
     if leaf.action.verb == "hand":
         return np.asarray(0.5 * weight * (close[None, :] + close[:, None]))
+    if not (ends_there or leaf.action.way in ("approach", "to")):
+        # What is pushed aside, or lowered, ends where nobody said.
+        return np.zeros_like(between.lasting_s)
     return np.broadcast_to(weight * close[None, :], between.lasting_s.shape).copy()
 
 

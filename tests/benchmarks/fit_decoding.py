@@ -40,7 +40,7 @@ OF_CUTS = (
 )
 OF_STEPS = (
     *("direction", "astray", "still", "straight", "wide"),
-    *("turned", "idle", "nearing", "event", "lasting"),
+    *("turned", "idle", "event", "lasting"),
 )
 NAMES = (*OF_CUTS, *OF_STEPS, "skip", "insert")
 RIDGE = 2.0

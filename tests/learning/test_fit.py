@@ -87,6 +87,12 @@ def test_an_approach_ends_where_the_thing_is_told_to_be() -> None:
     assert (away - plain)[2] > (away - plain)[0]
 
 
+def test_what_is_pushed_aside_need_not_end_where_it_was() -> None:
+    there = Setup(places={"cup": Place("hand", (0.0, 100.0, 100.0))})
+    for action in (Action("move", "left", "cup"), Action("move", "down", "cup")):
+        assert scores(action, shown(gripper=False, setup=there)) == pytest.approx(scores(action))
+
+
 def test_without_a_told_place_things_are_where_the_hand_acted() -> None:
     demonstration = shown()
     evidence = gather(demonstration, smooth(demonstration.recording), GIVEN)

@@ -60,8 +60,8 @@ class DecodingSettings:
     """Weights of the evidence when cuts and assignment are decided together, in log odds.
 
     Those named by `tests.benchmarks.fit_decoding` are fitted by it, on made-up demonstrations and
-    on people's; what too few of those show is set by hand: `turning`, `thing_astray`, `elsewhere`,
-    `skip_optional`, `unled`, `untold`, `nothing`, `reorder`. None are from the paper.
+    on people's; what too few of those show is set by hand: `nearing`, `turning`, `thing_astray`,
+    `elsewhere`, `skip_optional`, `unled`, `untold`, `nothing`, `reorder`. None are from the paper.
     """
 
     bias: float = -3.8
@@ -84,7 +84,7 @@ class DecodingSettings:
     wide: float = 7.7
     turned: float = 3.1
     idle: float = 4.75
-    nearing: float = 0.57
+    nearing: float = 1.5
     elsewhere: float = 4.0
     at_thing_m: float = 0.05
     event: float = 2.9

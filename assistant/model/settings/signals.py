@@ -70,7 +70,7 @@ class CueSettings:
     usual_lag_spread_s: float = 0.6
     jitters_s: tuple[float, ...] = (0.08, 0.15, 0.25)
     false_share: float = 0.15
-    least_missing: float = 0.08
+    least_missing: float = 0.12
     rounds: int = 1
     """How often the lag is told anew from the cuts it helped to find."""
     lates_s: tuple[float, ...] = (0.1, 0.2, 0.3, 0.4, 0.5)
