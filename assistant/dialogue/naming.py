@@ -36,8 +36,8 @@ def number_of(value: Value, language: str = "english") -> int | None:
 
 
 def is_size(value: Value) -> bool:
-    """Whether an answer is a size such as "30 x 20 x 1"."""
-    return re.search(r"\d\s*[xX*]\s*\d", text_of(value)) is not None
+    """Whether an answer is a size or a length, such as "30 x 20 x 1" or "10 cm"."""
+    return re.search(r"\d\s*(?:[xX*]\s*\d|[mc]?m\b)", text_of(value)) is not None
 
 
 def tidy(name: str, language: str = "english") -> str:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 from dataclasses import replace
 
 from assistant.dialogue.machine import beneath, listening
 from assistant.dialogue.referring import by_name
 from assistant.dialogue.state import Dialogue
+from assistant.language.hints import hints
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
@@ -33,7 +35,9 @@ def meant(dialogue: Dialogue, text: str, sure: float, language: str) -> Understa
     now = listening(dialogue)
     if now.moving and has_stop_word(text, language):
         return Understanding((Stop(),), 1.0, text)
-    told = by_name(dialogue, text)
+    letters: Mapping[str, str] = hints("letters", language)
+    # Who types in a hurry types one letter for yes and one for no.
+    told = by_name(dialogue, letters.get(text.strip(" .!").lower(), text))
     found = understand(told, now, language)
     below = beneath(dialogue)
     if below is not None and not _clear(found):

@@ -254,6 +254,8 @@ def test_a_letter_is_no_goal_and_a_size_no_number_of_steps() -> None:
     assert teacher.topics[0] == "error.not_an_answer"
     teacher.tell("all is tidy").tell(("block", "target")).tell("box 30x20x1")
     assert teacher.topics[0] == "error.count"
+    teacher.tell("move it 10 cm")
+    assert teacher.topics[0] == "error.count"
     assert teacher.dialogue.known.root.parts == ()
 
 

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import pytest
+
+from assistant.dialogue.machine import begin
 from assistant.model import teacher_acts as acts
 from assistant.session.meaning import SAFETY, meant
 from tests.dialogue.teaching import Lessons
@@ -46,3 +49,15 @@ def test_much_talk_about_nothing_is_no_name() -> None:
     opened = Lessons().open().dialogue
     talk = "Good evening. My late husband built cabinets, you know. So what is it you want from me?"
     assert meant(opened, talk, 1.0, "english").acts == (acts.Unknown(),)
+
+
+@pytest.mark.parametrize(
+    ("letter", "language"), [("y", "english"), ("Y.", "english"), ("j", "german")]
+)
+def test_a_letter_is_a_yes_or_a_no(letter: str, language: str) -> None:
+    guess = Lessons(begin(language)).open().hear(acts.Inform("tidy up now"), text="x", sure=0.6)
+    assert guess.asked == "did_you_mean"
+    yes = meant(guess.dialogue, letter, 1.0, language)
+    no = meant(guess.dialogue, "n", 1.0, language)
+    assert (yes.acts, no.acts) == ((acts.Affirm(),), (acts.Deny(),))
+    assert min(yes.confidence, no.confidence) >= SAFETY.act_confidence
