@@ -60,6 +60,13 @@ class FinePath:
             flags[stop.docking_at : stop.left_at + 1] = True
         return flags
 
+    def openings(self) -> Array:
+        """Return how wide the hand counts as at the samples, shape (g,): its widest where free."""
+        widest = np.array(self.gripper_m)
+        for first, last in self.free_stretches():
+            widest[first : last + 1] = np.max(self.gripper_m[first : last + 1])
+        return widest
+
     def free_stretches(self) -> list[tuple[int, int]]:
         """Return first and last sample of each free stretch, its fixed ends included."""
         edges = np.diff(np.concatenate([[1], self.constrained.astype(int), [1]]))

@@ -266,7 +266,7 @@ def _finished(work: _Work, q: Array, note: str) -> JointPath | Refusal:
 
 def _touched_on_the_way(work: _Work, result: Timed, owner: Indices) -> Refusal | None:
     """Return what the motion comes too near to at its ticks, each after a sample of the path."""
-    gripper_m = np.interp(result.u_s, work.fine.u_s, work.fine.gripper_m)
+    gripper_m = work.fine.openings()[owner]
     for phase in work.phases:
         chosen = np.flatnonzero((owner >= phase.first) & (owner <= phase.last))
         if len(chosen) == 0:

@@ -148,6 +148,18 @@ def test_what_is_touched_between_the_samples_is_refused(monkeypatch: pytest.Monk
     assert (refusal.reason, refusal.what) == ("collision", "table")
 
 
+def test_fingers_told_to_close_on_the_way_are_open_until_they_act() -> None:
+    where, told = scene(), TABLE1[1]
+    motion = planned(where, told)
+    tick = motion.stops[0].left_at
+    look = look_at(motion.q[tick], told, where)
+    block = compose(look.hand, inverse(where.bodies["block"].hand_in_body))
+    closing = step(look.hand, np.array([0.0, 0.0, 0.02]))
+    closing = replace(closing, gripper_m=0.05 + 0.03 * np.cos(np.linspace(0.0, 2.0 * np.pi, 30)))
+    away = PLANNER.plan(closing, where, told, replace(look, bodies={"block": block}))
+    assert isinstance(away, JointPath), str(away)
+
+
 def test_a_body_inside_an_obstacle_is_refused_as_a_setup() -> None:
     crate = Obstacle("crate", (200.0, 200.0, 80.0), (680.0, 190.0, 240.0))
     refusal = refused(scene(crate), TABLE1[1])
