@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Any
 
 from assistant.cli import DONE
 from assistant.cli.naming import learned_task
-from assistant.errors import BadInput, Problem
 
 if TYPE_CHECKING:
     from assistant.learning.adaptation import AdaptationPlan
@@ -36,19 +35,19 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Adapt to one setup after another; everything is read and checked before the first."""
+    from assistant.cli.placing import check_places, read_places
     from assistant.learning.adaptation import adapt, frames_in, plan_adaptation
     from assistant.learning.measures import measured
     from assistant.shells.pacing import RealClock
 
     task = learned_task(args.learned)
-    places = _read(args.setup)
+    told = read_places(args.setup)
     clock = RealClock()
     plan = plan_adaptation(task)
-    for scene, setup in places:
-        frames_in(plan, scene, setup)
-    if places:
-        # The first adaptation of a process also pays for what is done once.
-        adapt(plan, *places[0])
+    check_places(told, lambda scene, setup: frames_in(plan, scene, setup))
+    places = [(placed.scene, placed.setup) for placed in told]
+    # The first adaptation of a process also pays for what is done once.
+    adapt(plan, *places[0])
     plan_s = clock.now_s()
     for begin in range(0, len(places), _AT_ONCE):
         some = places[begin : begin + _AT_ONCE]
@@ -69,22 +68,6 @@ def _timed(plan: AdaptationPlan, scene: Scene, setup: Setup) -> tuple[HandPath, 
     clock = RealClock()
     path = adapt(plan, scene, setup)
     return path, clock.now_s()
-
-
-def _read(files: list[Path]) -> list[tuple[Scene, Setup]]:
-    from assistant.files.scenes import find_scene
-    from assistant.files.setups import read_setups
-
-    places: list[tuple[Scene, Setup]] = []
-    problems: list[Problem] = []
-    for path in files:
-        try:
-            places += [(find_scene(setup.scene, path), setup) for setup in read_setups(path)]
-        except BadInput as error:
-            problems.extend(error.problems)
-    if problems:
-        raise BadInput(problems)
-    return places
 
 
 def _told(values: dict[str, Any]) -> str:

@@ -16,7 +16,7 @@ import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
 from assistant.errors import BadInput, NothingLearned, Problem
@@ -42,13 +42,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Learn, tell, and write what was asked for."""
-    from assistant.files.demonstrations import read_demonstration
-    from assistant.files.tasks import read_task
     from assistant.learning.lesson import load_libraries
 
-    task = read_task(args.task)
-    shown = _read_all(args.demonstrations, read_demonstration)
-    scenes = [_scene(one, path) for one, path in zip(shown, args.demonstrations, strict=True)]
+    task, shown, scenes = _read_all(args.task, args.demonstrations)
     if args.together or len(shown) == 1:
         groups = [(shown, scenes[-1])]
     else:
@@ -62,29 +58,47 @@ def run(args: argparse.Namespace) -> int:
     return DONE if all(lesson is not None for lesson in learned) else FAILED
 
 
-def _read_all(paths: Sequence[Path], read: Any) -> list[Demonstration]:
-    """Return all demonstrations; what is odd in them is told, and learned from all the same."""
-    from assistant.files.oddities import odd_demonstration
+def _read_all(tree: Path, paths: Sequence[Path]) -> tuple[Task, list[Demonstration], list[Scene]]:
+    """Return the task, and all demonstrations with their scenes.
 
+    What is wrong with any file is told with the rest; what is odd in a demonstration is told,
+    and learned from all the same.
+    """
+    from assistant.files.oddities import odd_demonstration
+    from assistant.files.scenes import find_scene
+    from assistant.files.tasks import read_task
+
+    tasks: list[Task] = []
     shown: list[Demonstration] = []
+    scenes: list[Scene] = []
     problems: list[Problem] = []
+    try:
+        tasks.append(read_task(tree))
+    except BadInput as error:
+        problems += error.problems
     for path in paths:
         try:
-            shown.append(read(path))
+            shown.append(_shown(path))
+            scenes.append(find_scene(shown[-1].setup.scene, path))
         except BadInput as error:
-            problems.extend(error.problems)
+            problems += error.problems
     if problems:
         raise BadInput(problems)
     for one, path in zip(shown, paths, strict=True):
         for odd in odd_demonstration(one, str(path)):
             print(f"warning: {odd}", file=sys.stderr)
-    return shown
+    return tasks[0], shown, scenes
 
 
-def _scene(demonstration: Demonstration, path: Path) -> Scene:
-    from assistant.files.scenes import find_scene
+def _shown(path: Path) -> Demonstration:
+    """Return a demonstration; a recording alone is one in which nothing was said."""
+    from assistant.files.demonstrations import read_demonstration
+    from assistant.files.recordings import read_recording
+    from assistant.model.demonstration import Demonstration
 
-    return find_scene(demonstration.setup.scene, path)
+    if path.suffix.lower() != ".csv":
+        return read_demonstration(path)
+    return Demonstration(read_recording(path), source=str(path))
 
 
 def _one(shown: Sequence[Demonstration], task: Task, scene: Scene, as_json: bool) -> Lesson | None:

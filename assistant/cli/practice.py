@@ -20,11 +20,9 @@ from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
 from assistant.cli.naming import learned_task
-from assistant.errors import BadInput, Problem
+from assistant.errors import BadInput
 
 if TYPE_CHECKING:
-    from assistant.model.scene import Scene
-    from assistant.model.setup import Setup
     from assistant.session.practice import SetupResult
 
 SLOWEST, FASTEST = 0.1, 3.0
@@ -58,6 +56,7 @@ def _speed(text: str) -> float:
 def run(args: argparse.Namespace) -> int:
     """Practice one setup after another; everything is read and checked before the first."""
     from assistant.cli.adapters import make_arm
+    from assistant.cli.placing import check_places, read_places
     from assistant.learning.adaptation import plan_adaptation
     from assistant.session.practice import check_placed, practice_setup, tally
     from assistant.shells.pacing import PacedArm, RealClock
@@ -67,9 +66,9 @@ def run(args: argparse.Namespace) -> int:
         # The window's library writes to stdout as it likes.
         raise BadInput.one("--window", "does not go with --json or --dry-run", "leave one out")
     task = learned_task(args.learned)
-    places = _read(args.setup)
-    for _, setup in places:
-        check_placed(task, setup)
+    told = read_places(args.setup)
+    check_places(told, lambda _, setup: check_placed(task, setup))
+    places = [(placed.scene, placed.setup) for placed in told]
     folder, names = _folder(args.csv), _file_names([setup.name for _, setup in places])
     arm = None if args.dry_run else make_arm(args.arm, window=args.window)
     plan, planner, clock = plan_adaptation(task), A465Planner(), RealClock()
@@ -90,22 +89,6 @@ def run(args: argparse.Namespace) -> int:
     else:
         print(table(results, dry=args.dry_run))
     return DONE if all(result.status == "done" for result in results) else FAILED
-
-
-def _read(paths: Sequence[Path]) -> list[tuple[Scene, Setup]]:
-    from assistant.files.scenes import find_scene
-    from assistant.files.setups import read_setups
-
-    problems: list[Problem] = []
-    found: list[tuple[Scene, Setup]] = []
-    for path in paths:
-        try:
-            found.extend((find_scene(setup.scene, path), setup) for setup in read_setups(path))
-        except BadInput as error:
-            problems.extend(error.problems)
-    if problems:
-        raise BadInput(problems)
-    return found
 
 
 def _folder(path: Path | None) -> Path | None:

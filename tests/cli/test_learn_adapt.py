@@ -175,7 +175,48 @@ def test_a_missing_file_and_a_missing_place_end_with_2(
     shown = str(folder / "shown.yaml")
     learned = str(folder / "learned.yaml")
     assert main(["learn", shown, "--task", str(folder / "tree.yaml"), "-o", learned]) == 0
-    write_setups([Setup("bare", places={"block": BLOCK})], folder / "bare.yaml")
+    bare, moon = folder / "bare.yaml", folder / "moon.yaml"
+    write_setups([Setup("good", places={"block": BLOCK, "target": TARGET})], bare)
+    bare.write_text(f"{bare.read_text()}---\nformat: setup/1\nname: bare\nplaces: {{}}\n")
+    lines = len(bare.read_text().splitlines())
+    write_setups([Setup("far", "moon"), Setup("farther", "mars")], moon)
     capsys.readouterr()
-    assert main(["adapt", learned, "--setup", str(folder / "bare.yaml")]) == 2
-    assert "target" in capsys.readouterr().err
+    for verb in (["adapt"], ["practice", "--dry-run"]):
+        assert main([*verb, learned, "--setup", str(bare)]) == 2
+        err = capsys.readouterr().err
+        assert err.startswith(f"{bare}:{lines}: bare: no place for ")
+        assert "block" in err
+        assert "target" in err
+        assert main([*verb, learned, "--setup", str(moon), str(folder / "none.yaml")]) == 2
+        told = capsys.readouterr().err.splitlines()
+        assert told[0].startswith(f"{moon}:3: there is no scene 'moon'; known: ")
+        assert told[1].startswith(f"{moon}:9: there is no scene 'mars'; known: ")
+        assert told[-1].startswith(f"{folder}/none.yaml: no such file")
+
+
+def test_a_recording_alone_is_a_demonstration_without_words(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    bare = replace(demonstration(), cues=(), key_states=(), setup=Setup())
+    write_demonstration(bare, folder / "bare.yaml")
+    told_of = []
+    for name in ("bare.yaml", "bare.csv"):
+        words = ["learn", str(folder / name), "--task", str(folder / "tree.yaml"), "--json"]
+        assert main(words) == 0
+        (line,) = told(capsys)
+        told_of.append(line["segmentation_points_s"])
+    assert told_of[0] == told_of[1]
+
+
+def test_what_is_wrong_with_tree_and_demonstrations_is_told_at_once(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (folder / "bad.yaml").write_text("format: demonstration/1\nrecording: no.csv\ncue: []\n")
+    (folder / "moon.yaml").write_text(
+        "format: demonstration/1\nrecording: shown.csv\nsetup: {scene: moon}\n"
+    )
+    names = [str(folder / name) for name in ("bad.yaml", "moon.yaml", "none.yaml")]
+    assert main(["learn", *names, "--task", str(folder / "setups.yaml")]) == 2
+    told = [line.split(": ")[0] for line in capsys.readouterr().err.splitlines()]
+    where = [folder / "setups.yaml", *[folder / "bad.yaml"] * 2, folder / "moon.yaml"]
+    assert [one.split(":")[0] for one in told] == [*map(str, where), names[2]]
