@@ -21,7 +21,7 @@ MOST_SENTENCES, LONG = 6, 12
 """Sentences that are looked at one by one, and words of a text that is no short answer."""
 NOTHING, GUESSED = 0.3, 0.8
 """Below the one nothing is guessed at; above the other nothing said among much else is."""
-_ENDS = re.compile(r"[.!?;]+\s+")
+_SENTENCE = re.compile(r".+?(?:[.!?;]+(?=\s)|$)")
 _IDLE = (Unknown, Affirm, Deny)
 
 
@@ -54,15 +54,21 @@ def _among_sentences(
 
     What is said at length and means nothing clearly means nothing.
     """
-    sentences = [one for one in _ENDS.split(text) if len(one.split()) > 1]
+    sentences = [one.strip() for one in _SENTENCE.findall(text) if len(one.split()) > 1]
     if not 1 < len(sentences) <= MOST_SENTENCES:
         return whole
     told = (understand(one, now, language) for one in sentences)
     found = [one for one in told if not all(isinstance(act, _IDLE) for act in one.acts)]
+    # A question of the teacher's own is no answer.
+    found = [one for one in found if not (one.heard.endswith("?") and _answers(one))]
     best = max((*found, whole), key=lambda one: one.confidence)
     if best.confidence < NOTHING and len(text.split()) >= LONG:
         return Understanding((Unknown(),), best.confidence, whole.heard)
     return replace(best, confidence=min(best.confidence, GUESSED), heard=whole.heard)
+
+
+def _answers(found: Understanding) -> bool:
+    return all(isinstance(act, Inform) for act in found.acts)
 
 
 def _clear(found: Understanding) -> bool:
