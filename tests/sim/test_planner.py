@@ -158,6 +158,7 @@ def test_fingers_told_to_close_on_the_way_are_open_until_they_act() -> None:
     closing = replace(closing, gripper_m=0.05 + 0.03 * np.cos(np.linspace(0.0, 2.0 * np.pi, 30)))
     away = PLANNER.plan(closing, where, told, replace(look, bodies={"block": block}))
     assert isinstance(away, JointPath), str(away)
+    assert away.t_s[-1] < 2.0
 
 
 def test_a_body_inside_an_obstacle_is_refused_as_a_setup() -> None:
