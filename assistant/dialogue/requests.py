@@ -19,7 +19,7 @@ from assistant.dialogue.keeping import (
     write_down,
 )
 from assistant.dialogue.naming import tidy_name
-from assistant.dialogue.practicing import UNTIL
+from assistant.dialogue.practicing import UNTIL, new_setup
 from assistant.dialogue.state import (
     Dialogue,
     Introducing,
@@ -40,6 +40,8 @@ from assistant.model.setup import Place
 from assistant.model.task import primitives
 from assistant.model.teacher_acts import Again, Save
 
+LONGEST_DRAWN = 6
+"""Words of a wish for just any arrangement."""
 LONGEST_SAVED = 4
 """Words of a name told alone to save under; more are a sentence."""
 
@@ -56,7 +58,7 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
     if not isinstance(dialogue.state, Ready | Running | Ran):
         return numbered(calm, words) or told_beside(calm, words)
     calm = without_guess(calm)
-    for reply in (numbered, _rewind, restored, _swapped, told_beside, _pointed, _look_ahead, _home):
+    for reply in _AT_REST:
         turn = reply(calm, words)
         if turn is not None:
             return turn
@@ -185,6 +187,14 @@ def _home(dialogue: Dialogue, words: Words) -> Turn | None:
     return then(say(going, line("announce", "home")), Home(dialogue.known.setup))
 
 
+def _drawn(dialogue: Dialogue, words: Words) -> Turn | None:
+    """Draw another arrangement for who wants just any."""
+    short = len(words.text.split()) <= LONGEST_DRAWN
+    if not short or not mentions(words.text, hints("at_random", dialogue.language)):
+        return None
+    return new_setup(dialogue)
+
+
 def _swapped(dialogue: Dialogue, words: Words) -> Turn | None:
     """Put two things in each other's place and look whether they can be reached there."""
     if not mentions(words.text, hints("swap", dialogue.language)):
@@ -211,3 +221,17 @@ def _exchanged(known: Knowledge, one: str, other: str) -> dict[str, Place]:
         turned = (lying[name][3], lying[name][4], its[5])
         new[name] = Place("body", (its[0], its[1], lying[name][2]), turned)
     return new
+
+
+_AT_REST = (
+    numbered,
+    _rewind,
+    restored,
+    _swapped,
+    told_beside,
+    _pointed,
+    _look_ahead,
+    _home,
+    _drawn,
+)
+"""What is asked for in practice, in the order in which words are looked at."""

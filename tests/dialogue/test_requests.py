@@ -253,3 +253,11 @@ def test_a_speed_that_limits_do_not_allow_is_told() -> None:
     assert "it would be 3 s, but my limits do not allow that" in phrase(teacher.lines[0])
     teacher = Lessons().ready().moving().finish()
     assert "limits" not in phrase(teacher.lines[0])
+
+
+@pytest.mark.parametrize("text", ["a random new one", "just a random one please", "at random"])
+def test_just_any_arrangement_is_drawn(text: str) -> None:
+    teacher = Lessons().ready().hear(acts.Start(), text=text, sure=0.5)
+    (effect,) = (one for one in teacher.effects if isinstance(one, fx.Arrange))
+    assert effect.random
+    assert not teacher.did(fx.Move)
