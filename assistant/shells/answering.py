@@ -26,7 +26,7 @@ from assistant.shells import curves
 from assistant.shells.telling import setup_view
 from assistant.shells.trees import Labels, segmentation_views, task_tree
 
-ROWS, COLUMNS = 9, 60
+ROWS = 9
 
 
 def picture(session: Session, line: RobotAct) -> RenderableType | None:
@@ -71,7 +71,7 @@ def _of_lesson(
     path = lesson.path
     if topic == "trajectory" and path is not None:
         spots = tuple((station.frame, station.at) for station in lesson.stations)
-        return curves.Picture(lambda blocks: path_picture(path, spots, words, blocks))
+        return curves.Picture(lambda blocks, wide: path_picture(path, spots, words, blocks, wide))
     return None
 
 
@@ -87,7 +87,11 @@ def _sentences(text: str) -> Table:
 
 
 def path_picture(
-    path: LearnedPath, spots: tuple[tuple[str, int], ...], words: Mapping[str, Any], blocks: str
+    path: LearnedPath,
+    spots: tuple[tuple[str, int], ...],
+    words: Mapping[str, Any],
+    blocks: str,
+    columns: int,
 ) -> str:
     """Return the learned path from above (x up, y to the left) and its height over time.
 
@@ -99,12 +103,13 @@ def path_picture(
     words : mapping
     blocks : str
         Characters for bars.
+    columns : int
     """
     xyz_mm = 1000.0 * path.path[:, :3]
     low, high = xyz_mm.min(axis=0), xyz_mm.max(axis=0)
     share = (high - xyz_mm) / np.maximum(high - low, 1.0)
-    cells = np.round(share[:, :2] * np.array([ROWS - 1, COLUMNS - 1])).astype(int)
-    drawn = [[" "] * COLUMNS for _ in range(ROWS)]
+    cells = np.round(share[:, :2] * np.array([ROWS - 1, columns - 1])).astype(int)
+    drawn = [[" "] * columns for _ in range(ROWS)]
     for row, column in cells:
         drawn[row][column] = "."
     for name, at in spots:
@@ -113,9 +118,9 @@ def path_picture(
     extent = {"x": round(high[0] - low[0]), "y": round(high[1] - low[1])}
     lines = [str(words["path"]).format(**extent), *("".join(line).rstrip() for line in drawn)]
     lines.append(str(words["height"]).format(low=round(low[2]), high=round(high[2])))
-    heights = curves.sampled(path.t_s, xyz_mm[:, 2] - low[2], COLUMNS)
+    heights = curves.sampled(path.t_s, xyz_mm[:, 2] - low[2], columns)
     lines += curves.bars(heights, rows=3, blocks=blocks)
-    return "\n".join([*lines, curves.axis(path.t_s, COLUMNS)])
+    return "\n".join([*lines, curves.axis(path.t_s, columns)])
 
 
 def rendered(shown: RenderableType, width: int) -> str:

@@ -12,23 +12,26 @@ from rich.text import Text
 from assistant.geometry import Array
 
 BLOCKS = " ▁▂▃▄▅▆▇█"
+COLUMNS, FEWEST_COLUMNS = 60, 12
 PLAIN_BLOCKS = " .:-=+*#@"
 
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A picture drawn with the characters the terminal has.
+    """A picture drawn with the characters the terminal has, no wider than it is.
 
     Parameters
     ----------
     draw : callable
-        Takes the characters for bars of growing height, returns the text.
+        Takes the characters for bars of growing height and how many columns there are.
     """
 
-    draw: Callable[[str], str]
+    draw: Callable[[str, int], str]
 
     def __rich_console__(self, console: Console, options: ConsoleOptions) -> RenderResult:
-        yield Text(self.draw(PLAIN_BLOCKS if options.ascii_only else BLOCKS), no_wrap=True)
+        columns = max(min(COLUMNS, options.max_width), FEWEST_COLUMNS)
+        blocks = PLAIN_BLOCKS if options.ascii_only else BLOCKS
+        yield Text(self.draw(blocks, columns), no_wrap=True)
 
 
 def sampled(t_s: Array, values: Array, columns: int) -> Array:

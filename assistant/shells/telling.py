@@ -115,7 +115,7 @@ def recording_views(recording: Recording, cues_s: Sequence[float]) -> Iterator[R
         f"{len(t_s)} samples in {t_s[-1] - t_s[0]:.2f} s (usually every {step_s * 1000:.0f} ms), "
         f"within {extent} mm"
     )
-    yield curves.Picture(lambda blocks: speed_picture(recording, cues_s, blocks))
+    yield curves.Picture(lambda blocks, wide: speed_picture(recording, cues_s, blocks, wide))
 
 
 def speed_picture(

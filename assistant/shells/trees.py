@@ -96,7 +96,7 @@ def segmentation_views(lesson: Lesson, labels: Labels = NO_LABELS) -> Iterator[R
     """Yield the course of the vote, the cuts and the episodes."""
     if len(lesson.segmentation.vote_t_s) > 1:
         title = labels.get("votes", "votes")
-        yield curves.Picture(lambda blocks: votes_picture(lesson, blocks, title=title))
+        yield curves.Picture(lambda blocks, wide: votes_picture(lesson, blocks, wide, title=title))
     if lesson.segmentation.points:
         yield _points(lesson.segmentation.points, labels)
     if lesson.segmentation.episodes:

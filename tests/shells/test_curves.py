@@ -56,6 +56,17 @@ def test_terminals_without_blocks_get_plain_signs() -> None:
         encoding = "ascii"
 
     out = Ascii()
-    picture = curves.Picture(lambda blocks: "".join(curves.bars(np.array([1.0]), 1, blocks=blocks)))
+    picture = curves.Picture(
+        lambda blocks, _: "".join(curves.bars(np.array([1.0]), 1, blocks=blocks))
+    )
     Console(file=out).print(picture)
     assert out.getvalue() == "@\n"
+
+
+def test_a_picture_is_no_wider_than_the_terminal() -> None:
+    picture = curves.Picture(lambda blocks, columns: "#" * columns)
+    for width, drawn in ((100, curves.COLUMNS), (40, 40), (5, 5)):
+        console = Console(file=io.StringIO(), width=width)
+        with console.capture() as told:
+            console.print(picture)
+        assert len(told.get().rstrip()) == drawn
