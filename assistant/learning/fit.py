@@ -131,6 +131,8 @@ def _character(
     still -= given.straight * between.longer
     if axis is None:
         return np.asarray(still)
+    # Who is said to go some way goes somewhere.
+    still -= (given.idle - given.still) * np.exp(-share / 0.03)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
     if ends_there:
         # "Down to the target" says where the way ends: it may come from the side.

@@ -56,6 +56,13 @@ def test_motion_and_action_match(action: Action, best: int) -> None:
         assert int(np.argmin(told)) == 2
 
 
+def test_who_goes_one_way_goes_somewhere() -> None:
+    """A hand that only turns goes neither up nor down, and less so than to a thing it is at."""
+    up, down = scores(Action("move", "up")), scores(Action("move", "down"))
+    assert max(up[2], down[2]) < scores(Action("move", "approach", "cup"))[2] - 1.5
+    assert up[2] == pytest.approx(down[2], abs=0.1)
+
+
 @pytest.mark.parametrize("way", ["up", "down", "forward", "backward", "clockwise"])
 def test_other_turns_do_not_look_like_a_turn_to_the_left(way: str) -> None:
     assert scores(Action("turn", "left"))[2] > scores(Action("turn", way))[2] + 1.0
