@@ -126,8 +126,13 @@ class TextShell:
         text = prompt.prompt(
             f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
         ).strip()
-        if session.left:
-            return
+        # What is pasted in several lines is said line by line.
+        for line in text.splitlines() or ("",):
+            if session.left:
+                return
+            self._take(session, line.strip())
+
+    def _take(self, session: Session, text: str) -> None:
         session.raw(text)
         assert self._ticker is not None
         # Whoever drives by keys may talk meanwhile: the lock is taken for each sample.

@@ -83,6 +83,11 @@ def test_the_line_completes_remembers_and_has_a_bar_below(tmp_path: Path) -> Non
     journal = tmp_path / "sessions" / "1" / "journal.yaml"
     assert journal.read_text("utf-8").count("teacher: what did you say") == 2
     teacher.prompted()
+    # What is pasted in two lines answers two questions.
+    terminal.send("\x1b[200~the block rests on the target\nthe block and the target\x1b[201~\r")
+    terminal.expect("how many steps")
+    assert "teacher: the block and the target" in journal.read_text("utf-8")
+    teacher.prompted()
     terminal.send("pick\x03")
     terminal.sendeof()
     terminal.expect("resume 1")
