@@ -16,7 +16,7 @@ def dialogue_writer(write: Callable[[object], None]) -> Callable[[str, str], Non
 
     def listen(who: str, words: str) -> None:
         name = "you" if who == "teacher" else who
-        write(Text.assemble((f"{name:>5}: ", "green" if who == "teacher" else "cyan"), words))
+        write(Text.assemble((f"{name:>5}: ", "bold" if who == "teacher" else "magenta"), words))
 
     return listen
 

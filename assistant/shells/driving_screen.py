@@ -28,7 +28,8 @@ from assistant.shells.driving_view import (
 from assistant.shells.gripping import CHARACTERS, Area
 from assistant.shells.wrapping import columns, wrapped
 
-QUIET, STRONG = "ansibrightblack", "bold"
+QUIET, STRONG, STATE, WARNING = "ansibrightblack", "bold", "ansimagenta", "bold ansired"
+"""Each can be read on white and on black."""
 INDENT, APART = 1, 3
 NARROW, WIDE, LOW, HIGH, FEWEST = 12, 24, 7, 15, 4
 """Bounds of a picture's columns and rows, wanted and at the least; smaller ones show nothing."""
@@ -216,7 +217,7 @@ class Screen:
         step = step_line(session.dialogue_view, cues, words)
         lines = [(STRONG, line) for line in wrapped(step, columns(), before=" ")] if step else []
         doing = wrapped("   ".join(filter(None, state)), columns(), before=" ")
-        return [[one] for one in (*lines, *(("ansicyan", line) for line in doing))]
+        return [[one] for one in (*lines, *((STATE, line) for line in doing))]
 
     def _warning(self, *, dragging: bool) -> Lines:
         state, words = self._hand.state, self._words
@@ -227,4 +228,4 @@ class Screen:
             held = self._session.mover.look.held
             language, facing = self._session.language, self.facing
             warning = in_the_way(state.blocked, words, language, held, facing=facing)
-        return [[("ansiyellow", line)] for line in wrapped(warning, columns(), before=" ")]
+        return [[(WARNING, line)] for line in wrapped(warning, columns(), before=" ")]

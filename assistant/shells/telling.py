@@ -148,9 +148,9 @@ def play(transcript: Transcript) -> Iterator[Text]:
 def _line(step: Step) -> Text:
     match step:
         case TeacherLine():
-            return Text("teacher: ", style="cyan").append(teacher_words(step), "default")
+            return Text("teacher: ", style="bold").append(teacher_words(step), "default")
         case RobotLine():
-            return Text("robot: ", style="green").append(robot_words(step), "default")
+            return Text("robot: ", style="magenta").append(robot_words(step), "default")
         case _:
             return Text(f"  ({stage_direction(step)})", style="dim")
 

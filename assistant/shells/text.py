@@ -38,10 +38,10 @@ from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import columns, styled, wrapped
 
-STYLES = {"stopped": "1;31", "refuse": "33", "error": "31", "ask": "1", "confirm": "1"}
-"""Colors of a terminal by the robot's acts (ANSI)."""
+STYLES = {"stopped": "1;31", "refuse": "31", "error": "31", "ask": "1", "confirm": "1"}
+"""Colors of a terminal by the robot's acts (ANSI): each can be read on white and on black."""
 INDENT = "  "
-NAME_STYLE, HINT_STYLE = "36", "90"
+NAME_STYLE, HINT_STYLE = "35", "90"
 REFRESH_S = 0.5
 FORGOTTEN = "awaitingshow"
 """Where the dialogue stands when what was shown is to be shown anew."""

@@ -89,7 +89,7 @@ def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
     yield from (Text(f"correction: {feedback_words(each)}") for each in lesson.feedback)
     for question in lesson.segmentation.questions:
         about = f" about {question.about}" if question.about else ""
-        yield Text(f"open question: {question.asked}{about} ({question.reason})", style="yellow")
+        yield Text(f"open question: {question.asked}{about} ({question.reason})", style="magenta")
 
 
 def segmentation_views(lesson: Lesson, labels: Labels = NO_LABELS) -> Iterator[RenderableType]:
