@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -25,6 +24,7 @@ from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.scene import Scene
 from assistant.model.task import Task
 from assistant.model.transcript import Transcript
+from assistant.plain_yaml import json_word
 
 _OF_TASKS: dict[str, Callable[[Task], str]] = {".xml": behavior_tree, ".dot": dot}
 ENDINGS = {
@@ -89,13 +89,13 @@ def json_text(value: Any) -> str:
 
 def _json(value: Any, depth: int) -> Sequence[str]:
     pad, end = "  " * (depth + 1), "  " * depth
-    flat = json.dumps(value, ensure_ascii=False)
+    flat = json_word(value)
     numbers = isinstance(value, list) and not any(isinstance(x, dict | list) for x in value)
     if not isinstance(value, dict | list) or not value or numbers or len(flat) + depth * 2 <= 80:
         return [flat]
     if isinstance(value, dict):
         items = [
-            f"{pad}{json.dumps(key, ensure_ascii=False)}: {''.join(_json(part, depth + 1))}"
+            f"{pad}{json_word(key)}: {''.join(_json(part, depth + 1))}"
             for key, part in value.items()
         ]
         return ["{\n", ",\n".join(items), f"\n{end}}}"]

@@ -184,7 +184,8 @@ def choice_value(choice: SetupChoice) -> Any:
     if choice.file is not None:
         looks_like_file = choice_of(choice.file).file is not None
         return choice.file if looks_like_file else {"file": choice.file}
-    return choice.name or ""
+    name = choice.name or ""
+    return {"name": name} if choice_of(name).file is not None else name
 
 
 def plain(value: Any) -> Any:

@@ -6,6 +6,7 @@ would unfold into more than `MOST_NODES` values are refused. Nothing in a file c
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -19,12 +20,25 @@ MOST_BYTES = 32_000_000
 MOST_NODES = 2_000_000
 DEEPEST = 64
 MOST_PROBLEMS = 50
+_PAIR = re.compile(
+    r"(?P<before>(?<!\\)(?:\\\\)*)"
+    r"\\u(?P<high>[dD][89abAB][0-9a-fA-F]{2})\\u(?P<low>[dD][c-fC-F][0-9a-fA-F]{2})"
+)
 _LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
 def read_file(path: Path, *, flawed: bool = False) -> tuple[Document, ...]:
-    """Return every document of a file; see `read_text`."""
-    return read_text(text_of(path), str(path), flawed=flawed)
+    """Return every document of a file; see `read_text`. JSON is YAML but for its far letters."""
+    text = text_of(path)
+    if path.suffix.lower() == ".json":
+        text = _PAIR.sub(_one_letter, text)
+    return read_text(text, str(path), flawed=flawed)
+
+
+def _one_letter(pair: re.Match[str]) -> str:
+    r"""Return the letter two surrogates stand for, as JSON spells it: ``\ud83d\ude00``."""
+    halves = bytes.fromhex(pair["high"] + pair["low"])
+    return pair["before"] + halves.decode("utf-16-be")
 
 
 def text_of(path: Path, most_bytes: int = MOST_BYTES) -> str:

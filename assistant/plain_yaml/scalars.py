@@ -73,6 +73,10 @@ def _is_plain(text: str, *, in_flow: bool) -> bool:
 
 
 def _quoted(text: str) -> str:
-    text = _LONE_SURROGATE.sub("\ufffd", text)
-    quoted = json.dumps(text, ensure_ascii=False)
+    return json_word(_LONE_SURROGATE.sub("\ufffd", text))
+
+
+def json_word(value: object) -> str:
+    """Return a value as JSON that is YAML too: letters YAML does not take are spelled."""
+    quoted = json.dumps(value, ensure_ascii=False)
     return _ESCAPED.sub(lambda found: f"\\u{ord(found.group()):04x}", quoted)

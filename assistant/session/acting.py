@@ -30,7 +30,7 @@ def one_step(told: Mapping[str, Any]) -> Step:
     """
     # A transcript of one step is checked like any other, with the same messages.
     play = {"format": "transcript/1", "title": "one step", "steps": [told]}
-    return transcript_of(read_text(json.dumps(play), "input")[0]).steps[0]
+    return transcript_of(read_text(json.dumps(play, ensure_ascii=False), "input")[0]).steps[0]
 
 
 def wait(session: Session, step: Wait) -> None:

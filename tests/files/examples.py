@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from hypothesis import strategies as st
 
@@ -20,7 +22,7 @@ from assistant.model.lesson import (
 )
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
+from assistant.model.task import Action, Primitive, Role, Subtask, Task, TaskObject, Verb
 
 words = st.text("abc äß'\"-:#,[]{}?*&!|>%@0123456789", min_size=1, max_size=12).filter(
     lambda text: text == text.strip()
@@ -31,6 +33,87 @@ places = st.builds(Place, st.sampled_from(["hand", "body"]), triples, triples)
 hand_places = st.builds(Place, st.just("hand"), triples, triples)
 setups = st.builds(Setup, words, words, hand_places, st.dictionaries(words, places, max_size=3))
 spoken = st.builds(Spoken, st.floats(0, 100), words)
+some_things = st.lists(words, min_size=1, max_size=3, unique=True)
+
+
+def conditions(names: list[str]) -> st.SearchStrategy[Condition]:
+    """Return conditions on things of some names, or on "it"."""
+    it = st.none() | st.sampled_from(names)
+    return st.one_of(
+        st.builds(Condition, st.just("hand"), st.sampled_from(["open", "closed"])),
+        st.builds(Condition, st.sampled_from(["docked", "held", "clear"]), it),
+        st.builds(Condition, st.sampled_from(["on", "aligned", "above"]), it, it),
+    )
+
+
+def primitives(names: list[str]) -> st.SearchStrategy[Primitive]:
+    """Return primitives about things of some names."""
+    verbs: st.SearchStrategy[tuple[Verb, str]] = st.one_of(
+        st.tuples(st.just("move"), st.sampled_from(["approach", "depart", "to", "up", "forward"])),
+        st.tuples(st.just("turn"), st.sampled_from(["left", "counterclockwise"])),
+        st.tuples(st.just("hand"), st.sampled_from(["open", "close"])),
+        st.tuples(st.just("free"), st.text(max_size=12)),
+    )
+    things = st.none() | st.sampled_from(names)
+    actions = st.builds(lambda verb, thing: Action(verb[0], verb[1], thing), verbs, things)
+    several = st.lists(conditions(names), max_size=2).map(tuple)
+    return st.builds(Primitive, words, actions, several, several, st.booleans())
+
+
+def renamed(node: Subtask | Primitive, number: str = "1") -> Subtask | Primitive:
+    """Return a tree in which no name stands twice."""
+    name = f"{node.name} {number}"
+    if isinstance(node, Primitive):
+        return replace(node, name=name)
+    parts = tuple(renamed(part, f"{number}.{k}") for k, part in enumerate(node.parts))
+    return replace(node, name=name, parts=parts)
+
+
+@st.composite
+def tasks(draw: st.DrawFn) -> Task:
+    """Return introduced tasks of any shape."""
+    names = draw(some_things)
+    orders, goals = st.sampled_from(["sequential", "any"]), st.text(max_size=12)
+    inner = st.recursive(
+        primitives(names),
+        lambda part: st.builds(
+            Subtask, words, st.lists(part, max_size=3).map(tuple), goals, orders, st.booleans()
+        ),
+        max_leaves=6,
+    )
+    tree = renamed(Subtask(draw(words), tuple(draw(st.lists(inner, max_size=3)))))
+    assert isinstance(tree, Subtask)
+    roles: st.SearchStrategy[Role] = st.sampled_from(["object", "target"])
+    things = tuple(TaskObject(name, draw(roles)) for name in names)
+    return Task(draw(words), tree, draw(goals), things)
+
+
+positive = st.floats(0.1, 1e3)
+sizes = st.tuples(positive, positive, positive)
+not_negative = st.floats(0, 10)
+bodies = st.builds(
+    Body,
+    words,
+    st.sampled_from(["box", "cylinder", "sphere", "cup"]),
+    sizes,
+    not_negative,
+    not_negative,
+    triples,
+    triples,
+    triples.filter(any),
+    words,
+)
+obstacles = st.lists(st.builds(Obstacle, words, sizes, triples, triples, words), max_size=2)
+scenes = st.builds(
+    lambda name, known, tables, boxes, speed: Scene(
+        name, {body.name: body for body in known}, tuple(tables), tuple(boxes), speed
+    ),
+    words,
+    st.lists(bodies, max_size=3),
+    obstacles,
+    obstacles,
+    st.floats(0.01, 5),
+)
 
 
 def poses(n: int, seed: int) -> Array:

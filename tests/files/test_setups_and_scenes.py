@@ -13,8 +13,9 @@ from assistant.files.finding import find_setups
 from assistant.files.scenes import find_scene, read_scene, scene_text, write_scene
 from assistant.files.setups import read_setups, setup_text, write_setups
 from assistant.files.shipped import shipped
+from assistant.model.scene import Scene
 from assistant.model.setup import READY, Place, Setup
-from tests.files.examples import SCENE, setups
+from tests.files.examples import SCENE, scenes, setups
 from tests.files.same import same
 
 SETUP = """\
@@ -52,6 +53,15 @@ def test_setups_come_back(tmp_path_factory: pytest.TempPathFactory, several: lis
     path = tmp_path_factory.mktemp("s") / "s.yaml"
     write_setups(several, path)
     assert same(read_setups(path), tuple(several))
+
+
+@settings(max_examples=30, deadline=None)
+@given(scenes)
+def test_scenes_come_back(tmp_path_factory: pytest.TempPathFactory, scene: Scene) -> None:
+    path = tmp_path_factory.mktemp("s") / "s.yaml"
+    write_scene(scene, path)
+    assert read_scene(path) == scene
+    assert scene_text(read_scene(path)) == path.read_text("utf-8")
 
 
 def test_a_scene_comes_back(tmp_path: Path) -> None:

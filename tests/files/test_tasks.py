@@ -10,11 +10,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.errors import BadInput
+from assistant.files.converting import convert
+from assistant.files.kinds import Known
 from assistant.files.shipped import shipped
 from assistant.files.tasks import read_task, task_text, write_task
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation
-from assistant.model.task import TaskObject
+from assistant.model.task import Task, TaskObject
 from tests.files import examples
 from tests.files.same import same
 
@@ -80,6 +82,18 @@ def test_lessons_of_any_shape_come_back(
     file = tmp_path_factory.mktemp("t") / "t.yaml"
     write_task(examples.task(lesson), file)
     assert same(examples.task(lesson), read_task(file))
+
+
+@settings(max_examples=25, deadline=None)
+@given(examples.tasks())
+def test_trees_of_any_shape_come_back(tmp_path_factory: pytest.TempPathFactory, task: Task) -> None:
+    file = tmp_path_factory.mktemp("t") / "t.yaml"
+    for ending in (".yaml", ".json"):
+        path = file.with_suffix(ending)
+        convert(Known("task", task), file, path)
+        assert read_task(path) == task
+    write_task(task, file)
+    assert task_text(read_task(file)) == file.read_text("utf-8")
 
 
 @pytest.mark.parametrize(

@@ -73,11 +73,10 @@ plain = st.recursive(
 )
 near = st.builds(Near, st.floats(-5, 5), st.floats(0, 5))
 told = st.dictionaries(words, st.one_of(plain, near), max_size=3)
+ENDS = st.sampled_from(["", ".yaml", ".yml", ".json", "/of", ".csv"])
 choices = st.one_of(
-    st.builds(lambda stem: SetupChoice(file=f"{stem}.yaml"), words),
-    st.builds(
-        lambda name: SetupChoice(name=name), words.filter(lambda text: not text.endswith("yaml"))
-    ),
+    st.builds(lambda stem, end: SetupChoice(file=f"{stem}{end}"), words, ENDS),
+    st.builds(lambda stem, end: SetupChoice(name=f"{stem}{end}"), words, ENDS),
     st.builds(lambda setup: SetupChoice(setup=setup), setups),
 )
 cues = st.lists(spoken, max_size=3).map(tuple)

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from assistant.plain_yaml import read_text, tidy, write, write_item
+from assistant.plain_yaml import json_word, read_file, read_text, tidy, write, write_item
 
 texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=30)
 scalars = st.one_of(
@@ -126,3 +129,22 @@ def test_rows_stay_on_their_lines_however_long() -> None:
 
 def test_empty_mapping_is_a_mapping() -> None:
     assert read_text(write({}))[0].value == {}
+
+
+@settings(max_examples=50, deadline=None)
+@given(st.recursive(texts, lambda one: st.lists(one) | st.dictionaries(texts, one), max_leaves=5))
+def test_json_of_any_text_is_read_however_it_spells_its_letters(
+    tmp_path_factory: pytest.TempPathFactory, value: object
+) -> None:
+    path = tmp_path_factory.mktemp("j") / "x.json"
+    for text in (json_word({"a": value}), json.dumps({"a": value})):
+        path.write_text(text, "utf-8")
+        (document,) = read_file(path)
+        assert document.value == {"a": value}
+
+
+def test_a_backslash_that_is_meant_stays(tmp_path: Path) -> None:
+    path = tmp_path / "x.json"
+    path.write_text(json.dumps({"a": "\\ud83d\\ude00", "b": "\\\U0001f600"}))
+    (document,) = read_file(path)
+    assert document.value == {"a": "\\ud83d\\ude00", "b": "\\\U0001f600"}
