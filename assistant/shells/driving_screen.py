@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
 from assistant.dialogue.one_step import ended_at
 from assistant.geometry import compose
+from assistant.language.speech import in_words
 from assistant.ports import ArmLook
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
@@ -145,13 +147,14 @@ class Screen:
         used = begin = len(lines[0][0][1])
         for key in keys:
             does = str(self._words["keys"][key])
-            size = len(key) + len(does) + 4
+            shown = str(self._words["key_names"].get(key, key))
+            size = len(shown) + len(does) + 4
             if used + size >= columns():
                 lines.append([("", " " * begin)])
                 used = begin
             used += size
             lines[-1] += [
-                (STRONG, f"  {key}", self._click(key)),
+                (STRONG, f"  {shown}", self._click(key)),
                 (QUIET, f" {does}", self._click(key)),
             ]
         return lines
@@ -181,7 +184,8 @@ class Screen:
         letters = marks(scene.bodies)
         told: list[str] = []
         for gap in gaps(look, scene, self._hand.tip):
-            way = gap_line(gap, words, facing=self.facing, holding=bool(look.held))
+            told_of = replace(gap, name=in_words(gap.name, self._session.language))
+            way = gap_line(told_of, words, facing=self.facing, holding=bool(look.held))
             told += wrapped(way, columns(), before=f" {letters[gap.name]} ")
         told += self._lost(look)
         if self._end is not None:
@@ -209,7 +213,9 @@ class Screen:
         shown_s = watching.now_s if watching is not None else 0.0
         state = (
             str(words["hand"]).format(mm=round(1000.0 * look.gripper_m)),
-            str(words["holding"]).format(name=look.held) if look.held else "",
+            str(words["holding"]).format(name=in_words(look.held, session.language))
+            if look.held
+            else "",
             str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
             str(words["shown"]).format(seconds=f"{shown_s:.1f}"),
             told,

@@ -10,7 +10,7 @@ import numpy as np
 
 from assistant.dialogue.reporting import refusal_line
 from assistant.geometry import Array, compose, quat_to_rpy, relative
-from assistant.language.speech import phrase
+from assistant.language.speech import in_words, phrase
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
 from assistant.model.task import TaskObject
@@ -181,7 +181,8 @@ def in_the_way(
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
     put_down = bool(held) and trouble.text == "contact"
     template = words["put_down"] if put_down else words["faults"][trouble.text]
-    return str(template).format(name=trouble.object, held=held)
+    thing, in_hand = (in_words(one, language) if one else "" for one in (trouble.object, held))
+    return str(template).format(name=thing, held=in_hand)
 
 
 def step_line(view: Mapping[str, Any], cues: Sequence[str], words: Mapping[str, Any]) -> str:

@@ -65,3 +65,12 @@ def test_a_large_terminal_tells_what_each_key_does_and_a_small_one_keeps_its_pic
     monkeypatch.setenv("LINES", "24")
     assert "w forward" not in " ".join(drawn(screen)).split("to the block")[0]
     assert len(screen.areas) == 2
+
+
+def test_in_german_the_things_and_the_keys_have_german_names(screen: Screen) -> None:
+    screen._session.language = "german"
+    german = Screen(screen._session, screen._hand, page("terminal", "german")["driving"], print)
+    text = " ".join(drawn(german))
+    assert "zu „Block“" in text
+    assert "Leertaste Kupplung" in text
+    assert "space" not in text

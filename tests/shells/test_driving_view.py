@@ -163,7 +163,7 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
         fault = ArmReport("unmet", 1.0, text=text, object="block")
         for language in ("english", "german"):
             words = page("terminal", language)["driving"]
-            assert "block" in in_the_way(fault, words, language)
+            assert "block" in in_the_way(fault, words, language).lower()
     touched = ArmReport("unmet", 1.0, text="contact", object="target")
     assert "bumped into the target" in in_the_way(touched, WORDS, "english")
     assert in_the_way(touched, WORDS, "english", "block").startswith("the block touches the target")
