@@ -90,13 +90,16 @@ def _turning(u_s: Array, q: Array) -> Array:
 def _smooth(u_s: Array, need: Array, rest: Array) -> Array:
     from scipy.ndimage import convolve1d, maximum_filter1d
 
-    # On an even grid: the greatest within the window, then its weighted mean, is never less
-    # than what is needed and as smooth as the window.
+    # On an even grid: the weighted mean, and what that lacks spread out: its greatest within the
+    # window, then their mean. It is never less than what is needed, and as smooth as the window.
     even = np.linspace(u_s[0], u_s[-1], max(int((u_s[-1] - u_s[0]) * CONTROL_HZ), 2) + 1)
     half = max(round(SMOOTH_S * CONTROL_HZ), 1)
-    level = maximum_filter1d(_peaks(u_s, need, even), 2 * half + 1, mode="nearest")
     window = np.hanning(2 * half + 3)[1:-1]
-    level = convolve1d(level, window / window.sum(), mode="nearest")
+    window /= window.sum()
+    needed = _peaks(u_s, need, even)
+    level = convolve1d(needed, window, mode="nearest")
+    lacks = maximum_filter1d(np.maximum(needed - level, 0.0), 2 * half + 1, mode="nearest")
+    level += convolve1d(lacks, window, mode="nearest")
     return np.asarray(np.where(rest, 1.0, np.interp(u_s, even, level)))
 
 

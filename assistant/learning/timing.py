@@ -107,21 +107,31 @@ def rms_jerk(xyz: Array, step_s: float) -> float:
 
 
 def _spread(need: Array, width: int) -> Array:
-    """Return a smooth curve nowhere below `need`: the mean of its greatest values nearby."""
+    """Return a smooth curve nowhere below `need`: its mean nearby, and what that lacks spread."""
     half = max(width // 2, 1)
     window = 2 * half + 1
-    greatest = np.empty(len(need) + 4 * half)
-    greatest[2 * half : -2 * half] = need
-    greatest[: 2 * half], greatest[-2 * half :] = need[0], need[-1]
+    padded = np.empty(len(need) + 2 * half)
+    padded[half:-half] = need
+    padded[:half], padded[-half:] = need[0], need[-1]
+    mean = _mean(padded, window)
+    lacks = np.empty(len(need) + 4 * half)
+    lacks[2 * half : -2 * half] = np.maximum(need - mean, 0.0)
+    lacks[: 2 * half], lacks[-2 * half :] = lacks[2 * half], lacks[-2 * half - 1]
     # The greatest of ever longer runs, each joined from two shorter ones.
     length = 1
     while length < window:
         ahead = min(length, window - length)
-        greatest = np.maximum(greatest[:-ahead], greatest[ahead:])
+        lacks = np.maximum(lacks[:-ahead], lacks[ahead:])
         length += ahead
-    summed = np.cumsum(greatest)
+    mean += _mean(lacks, window)
+    # Rounding must not take it below.
+    return np.maximum(mean, need, out=mean)
+
+
+def _mean(values: Array, window: int) -> Array:
+    """Return the mean of each run of so many values."""
+    summed = np.cumsum(values)
     mean = summed[window - 1 :].copy()
     mean[1:] -= summed[:-window]
     mean *= 1.0 / window
-    # Rounding must not take it below.
-    return np.maximum(mean, need, out=mean)
+    return mean

@@ -42,6 +42,15 @@ def test_slowing_down_is_smooth() -> None:
     assert np.max(np.abs(np.diff(steps))) < 0.2 * np.max(steps)
 
 
+def test_a_smooth_way_takes_hardly_longer_than_it_must() -> None:
+    s = np.linspace(0.0, 1.0, 251)
+    path = np.zeros((251, 7))
+    path[:, 6], path[:, 0] = 1.0, s**3 * (10.0 - 15.0 * s + 6.0 * s * s)
+    must = float(np.sum(np.maximum(0.02, np.diff(path[:, 0]) / 0.2)))
+    t_s = bounded_times(np.full(250, 0.02), path, 0.2, 1.0, 20)
+    assert must <= t_s[-1] < 1.01 * must
+
+
 def test_jerk_of_a_cubic_is_its_third_derivative() -> None:
     t_s = np.arange(50) * 0.02
     xyz = np.stack([t_s**3, 0 * t_s, 0 * t_s], axis=1)
