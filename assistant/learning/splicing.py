@@ -135,7 +135,7 @@ def _joint(
     earliest: int = 0,
 ) -> int | Apart:
     """Return the sample of a showing that is put at an end of the stretch."""
-    away = distance_between(new.path, pose) + TURN_M * angle_between(new.path, pose)
+    away = _away(new.path, pose)
     fits = np.full(len(away), True) if closed is None else np.isin(closed, list(states))
     fits[:earliest] = False
     outermost = 0 if end == "begins" else len(away) - 1
@@ -154,10 +154,14 @@ def _led(old: Recording, place: tuple[int, int], taken: Recording) -> tuple[Reco
     """
     first, last = place
     step_s = float(np.median(np.diff(old.t_s)))
-    stride_m = float(distance_between(old.path[1:], old.path[:-1]).mean())
-    lead = _way(old.path[first - 1], taken.path[0], stride_m) if first else taken.path[:0]
+    # From sample to sample the hand goes as far as it did there, or as it does in the mean.
+    away = _away(old.path[1:], old.path[:-1])
+    strides_m = np.maximum(np.append(away, 0.0), away.mean())
+    lead = taken.path[:0]
+    if first:
+        lead = _way(old.path[first - 1], taken.path[0], float(strides_m[first - 1]))
     after = old.path[last + 1] if last + 1 < len(old.t_s) else taken.path[-1]
-    tail = _way(taken.path[-1], after, stride_m)
+    tail = _way(taken.path[-1], after, float(strides_m[last]))
     lead_s = step_s * len(lead)
     taken_s = lead_s + taken.t_s - taken.t_s[0]
     tail_s = taken_s[-1] + step_s * np.arange(1.0, len(tail) + 1.0)
@@ -170,10 +174,14 @@ def _led(old: Recording, place: tuple[int, int], taken: Recording) -> tuple[Reco
     return Recording(old.t_s[first] + t_s, path, gripper), lead_s
 
 
+def _away(poses: Array, others: Array) -> Array:
+    """Return how far poses are from others, in m, their turns among it."""
+    return distance_between(poses, others) + TURN_M * angle_between(poses, others)
+
+
 def _way(start: Array, goal: Array, stride_m: float) -> Array:
     """Return poses between two that lead smoothly from one to the other, both left out."""
-    away = float(distance_between(start, goal)) + TURN_M * float(angle_between(start, goal))
-    count = max(math.ceil(away / max(stride_m, TOUCHING_M) - 0.5) - 1, 0)
+    count = max(math.ceil(float(_away(start, goal)) / max(stride_m, TOUCHING_M) - 0.5) - 1, 0)
     share = np.linspace(0.0, 1.0, count + 2)[1:-1]
     return interpolate(start, goal, share**3 * (10.0 - 15.0 * share + 6.0 * share**2))
 
