@@ -152,11 +152,12 @@ def test_a_step_never_introduced_is_named() -> None:
     assert any(episode.primitive is None for episode in found.episodes)
 
 
-def test_steps_left_out_of_the_introduction_are_mostly_named() -> None:
-    """Of eight lessons most are asked about where the step was, and right ones are not."""
+def test_steps_left_out_of_the_introduction_or_the_showing_are_mostly_named() -> None:
+    """Most of eight lessons are asked about, each about the right step; right ones are not."""
     shows = [generator_a.generate(seed) for seed in range(70_020, 70_028)]
-    named, known = steps_named(shows).split(",")[0].split()[-1].split("/")
-    assert int(named) / int(known) >= 0.6
+    for told in steps_named(shows).split(","):
+        named, known = told.split()[-1].split("/")
+        assert int(named) / int(known) >= 0.75
     asked = [segment(one.demonstration, one.task).questions for one in shows]
     assert not [one for found in asked for one in found if one.reason == "never_introduced"]
 
