@@ -30,10 +30,12 @@ def find_setups(name: str, near: Path) -> tuple[tuple[Setup, ...], Path]:
         Where there is none; the message lists the names that are known.
     """
     folder = near if near.is_dir() else near.parent
+    # A folder names nothing: where the program stands is not where it is wrong.
+    where = "setup" if near.is_dir() else str(near)
     if (folder / name).is_file():
         return read_setups(folder / name), folder / name
     if name.endswith((".yaml", ".yml", ".json")):
-        raise BadInput.one(str(near), f"there is no setup file {folder / name}", CHECK)
+        raise BadInput.one(where, f"there is no setup file {folder / name}", CHECK)
     known: list[str] = []
     for path in _files(folder):
         setups = read_setups(path)
@@ -44,7 +46,7 @@ def find_setups(name: str, near: Path) -> tuple[tuple[Setup, ...], Path]:
                 return (setup,), path
         known += [path.stem, *(setup.name for setup in setups)]
     listed = ", ".join(dict.fromkeys(known))
-    raise BadInput.one(str(near), f"there is no setup {name!r}", f"known: {listed}")
+    raise BadInput.one(where, f"there is no setup {name!r}", f"known: {listed}")
 
 
 def _files(folder: Path) -> Iterator[Path]:

@@ -131,8 +131,9 @@ def find_scene(name: str, near: Path) -> Scene:
         path = place / f"{name}.yaml"
         if path.is_file() and _is_scene(path):
             return read_scene(path)
+    where = "scene" if near.is_dir() else str(near)
     known = sorted({path.stem for place in places[1:] for path in place.glob("*.yaml")})
-    raise BadInput.one(str(near), f"there is no scene {name!r}", f"known: {', '.join(known)}")
+    raise BadInput.one(where, f"there is no scene {name!r}", f"known: {', '.join(known)}")
 
 
 def _is_scene(path: Path) -> bool:

@@ -69,6 +69,14 @@ def test_a_scene_comes_back(tmp_path: Path) -> None:
     assert same(read_scene(tmp_path / "s.yaml"), SCENE)
 
 
+def test_what_is_nowhere_is_told_without_a_folder_that_names_nothing(tmp_path: Path) -> None:
+    for find, what in ((find_setups, "setup"), (find_scene, "scene")):
+        with pytest.raises(BadInput, match=f"^{what}: there is no {what} 'moon'; known: "):
+            find("moon", tmp_path)
+        with pytest.raises(BadInput, match=f"^{tmp_path}/x.yaml: there is no {what} 'moon'"):
+            find("moon", tmp_path / "x.yaml")
+
+
 def test_what_is_not_told_is_as_usual(tmp_path: Path) -> None:
     (setup,) = read_setups(written(tmp_path, SETUP))
     assert setup.robot_start == READY
