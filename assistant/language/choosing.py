@@ -21,7 +21,7 @@ from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
 from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse
 from assistant.language.phrasebook import LANGUAGES
-from assistant.language.plain_forms import unbent
+from assistant.language.plain_forms import shortened, unbent
 from assistant.language.seeking import Chances, chance, label_of
 from assistant.language.trusting import (
     FREE_ANSWERS,
@@ -152,6 +152,8 @@ def _kept_from(
     Nor is a yes or no told by words that stand in no list.
     """
     if praised(weighed.acts, acts, words, hearing):
+        return True
+    if weighed.exact and shortened(acts, weighed.acts, hearing):
         return True
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Inform):
         return weighed.score > _DOUBTED

@@ -113,6 +113,16 @@ def _each(value: Any, change: Any) -> Any:
     return tuple(map(change, value)) if isinstance(value, tuple) else change(value)
 
 
+def shortened(
+    acts: tuple[TeacherAct, ...], whole: tuple[TeacherAct, ...], hearing: Hearing
+) -> bool:
+    """Tell a thing told by less than its whole name: "rote" of "der rote Becher"."""
+    one, other = acts[0], whole[0]
+    if forms(hearing.language) is None or not isinstance(one, SetPose):
+        return False
+    return isinstance(other, SetPose) and len(one.object.split()) < len(other.object.split())
+
+
 def thing(name: str, words: Words, known: Forms) -> str:
     """Return the name of a thing as it is without its article: "roter becher"."""
     parts = name.split()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assistant.language.frames import frames
 from assistant.language.naming import without_article
 from assistant.language.parsing import LIKELY, SURE, Hearing, texts_of
 from assistant.language.phrasebook import Phrase, Phrasebook
@@ -104,8 +105,10 @@ def trust_in(texts: Phrase, phrase: Phrase, hearing: Hearing, *, told: bool = Fa
     if set(texts) <= book.little["no_amounts"] or _moving(texts, hearing):
         return 0.0
     listed = without_article(texts, book.little["determiners"]) in book.where["stepping"]
+    known = frames(hearing.language)
+    endings = book.little.doing or (known.name_endings if known else ())
     told_step = listed or any(
-        t.endswith(book.little.doing) and t not in book.where_words["no_steps"] for t in texts
+        t.endswith(endings) and t not in book.where_words["no_steps"] for t in texts
     )
     if is_weak(phrase, book) and not set(phrase) <= book.little["once"] and not (told_step or told):
         odd = [t for t in texts if (t,) not in book.motion and t not in book.empty]

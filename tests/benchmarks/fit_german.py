@@ -50,8 +50,8 @@ EXACT_FROM = 0.5
 """From which likelihood a sentence of the phrasebook is trusted: of 46 such, 45 were right."""
 _PENALTY = 5.0
 """How far weights keep to those of English."""
-_GROWN = 0.8
-"""As for English: the rules were extended since their first readings."""
+_GROWN, _OTHERS_GROWN = 0.8, 0.2
+"""The rules were extended since their first readings, those of English less."""
 
 
 def sequence(one: Clause) -> fit_slots.Sequenced:
@@ -135,7 +135,7 @@ def choice_of(lines: Sequence[Line], kept: Mapping[str, float]) -> dict[str, flo
         good = np.bincount(owner, shares * right)
         return -np.log(good + 1e-12).sum(), shares - shares * right / good[owner]
 
-    before = {**kept, "weighed": kept["weighed"] - _GROWN}
+    before = {**kept, "weighed": kept["weighed"] - _OTHERS_GROWN}
     found = _near(before, [one.looks for line in told for one in line.pool], slopes)
     return {**found, "weighed": round(found["weighed"] + _GROWN, 3)}
 
