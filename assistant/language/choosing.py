@@ -53,6 +53,8 @@ _DOUBTED = 0.65
 """Where the grammar is surer that words mean nothing here, they are no answer."""
 _SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
 _JOINED_NAME = 5
+_UNKNOWN, _CHATTED_FROM = "unknown", 0.8
+"""How likely words mean nothing here where those of other matters are listened to no more."""
 _MOST_WHOLE = 6
 _LEAST = 1e-4
 _SPREAD = 5.0
@@ -254,7 +256,8 @@ def candidates(
         },
     )
     add(first.acts, {"first": 1.0, "first_score": _logit(first.score)})
-    chat = isinstance(weighed.acts[0], Unknown) and chatting(words, hearing)
+    unlike = chances.get(_UNKNOWN, 1.0) >= _CHATTED_FROM
+    chat = unlike and isinstance(weighed.acts[0], Unknown) and chatting(words, hearing)
     for acts, looks in [] if chat else _learned(weighed, words, chances, hearing):
         if Stop() not in acts and not _kept_from(acts, weighed, words, hearing):
             add(settled(Parse(acts, ACTING), hearing.listening).acts, looks)

@@ -52,7 +52,7 @@ def is_cut_short(start: int, end: int, words: Words, known: Frames) -> bool:
     if not start or end - start < 2 or end >= len(words) or words[end].broken:
         return False
     pronoun = words[end - 1].text in known.small("taken")
-    return pronoun and words[end].text in known.small("particles")
+    return pronoun and words[end].text in known.small("particles") and _ends(end, words, known)
 
 
 def _ends(at: int, words: Words, known: Frames) -> bool:

@@ -264,12 +264,14 @@ def _turned(angles: Sequence[_Number], words: Sequence[str], book: Phrasebook) -
 def displacement(words: Sequence[str], book: Phrasebook) -> tuple[float, float, float] | None:
     """Return a displacement: "ten centimetres further left and five forward"."""
     total = [0.0, 0.0, 0.0]
-    held: float | None = None
+    held, unit_mm = None, 0.0
     step: tuple[float, float, float] | None = None
     seen = False
     for tag in tags_of(words, book, frozenset()):
         if tag.quantity is not None and tag.quantity.kind == "m":
-            held = tag.quantity.value * 1000.0
+            held, unit_mm = tag.quantity.value * 1000.0, tag.quantity.unit * 1000.0
+        elif tag.quantity is not None and tag.quantity.kind == "" and unit_mm:
+            held = tag.quantity.value * unit_mm
         elif tag.kind in _STEPS:
             step = _STEPS[tag.kind]
         if held is not None and step is not None:

@@ -92,3 +92,35 @@ def test_a_motion_with_a_word_nobody_knows_is_asked_about() -> None:
     acts, confidence = heard("more to the left, a pochino", stage="practice")
     assert acts[0]["direction"] == "left"
     assert confidence < ACTING
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("you speak like the radio, make it short", {"act": "be_brief"}),
+        ("could you load the lesson bathroom tiles", {"act": "load", "name": "bathroom tiles"}),
+    ],
+)
+def test_a_word_of_other_matters_is_no_talk_of_them_where_all_else_tells_an_act(
+    text: str, act: dict[str, Any]
+) -> None:
+    assert heard(text, stage="practice")[0] == [act]
+
+
+@pytest.mark.parametrize(
+    ("text", "asked"),
+    [("beside you, looking your way", "facing"), ("15 centimetres across, 12 high", "body")],
+)
+def test_where_one_stands_and_how_big_a_thing_is_are_told_whole(text: str, asked: Any) -> None:
+    (act,), _ = heard(text, stage="practice", asked=asked)
+    assert act["value"].replace(",", "") == text.replace(",", "")
+
+
+def test_the_name_of_a_known_step_is_no_thing_that_was_moved() -> None:
+    (act,), _ = heard(
+        "two millimetres left at place object on target",
+        stage="practice",
+        subtasks=("grasp object", "place object on target"),
+        objects=("object", "target"),
+    )
+    assert act["act"] == "translate"

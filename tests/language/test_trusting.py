@@ -1,0 +1,57 @@
+from typing import Any
+
+import pytest
+
+from assistant.language.parsing import Hearing, Parse
+from assistant.language.phrasebook import phrasebook
+from assistant.language.trusting import chatting, consenting, names_step, strange, trusted_from
+from assistant.language.words import words_of
+from assistant.model.listening import Listening
+from assistant.model.teacher_acts import Affirm, Inform, Optional, Rename, Translate, Unknown, Where
+
+
+def hearing(**where: Any) -> Hearing:
+    return Hearing(phrasebook(), Listening(**{"stage": "practice", **where}))
+
+
+def test_a_name_the_lesson_knows_is_trusted_and_another_is_doubted() -> None:
+    near = hearing(subtasks=("wind coil",))
+    known, other = (Parse((Optional(name),), 0.9) for name in ("wind coil", "cut wire"))
+    assert trusted_from(known, near) < trusted_from(other, near)
+    assert names_step(known.acts, near)
+    assert not names_step(other.acts, near)
+
+
+def test_a_step_is_named_in_a_list_and_in_where_a_correction_belongs() -> None:
+    near = hearing(subtasks=("wind coil",))
+    moved = Translate("left", where=Where("wind coil", "during"))
+    assert names_step((moved,), near)
+    assert names_step((Rename("wind coil", "coil up"),), near)
+
+
+def test_counts_are_trusted_before_names_and_nothing_is_taken_as_told() -> None:
+    near = hearing(asked="subtask_count", stage="introduction")
+    told = [trusted_from(Parse((one,), 0.9), near) for one in (Unknown(), Inform(4), Inform("lid"))]
+    assert told == sorted(told)
+
+
+@pytest.mark.parametrize(
+    ("asked", "rival", "alike"),
+    [("ready", "start", True), ("satisfied", "start", False), ("satisfied", "approve", True)],
+)
+def test_rivals_that_say_the_same_leave_no_doubt(asked: Any, rival: str, alike: bool) -> None:
+    chances = {rival: 0.6, "affirm": 0.4}
+    assert consenting(Parse((Affirm(),), 0.9), chances, hearing(asked=asked)) is alike
+
+
+def test_words_in_no_list_are_strange_unless_they_name_a_step() -> None:
+    near = hearing()
+    words = words_of("left a pochino", near.book.contractions)
+    assert strange((Translate("left"),), words, near)
+    assert not strange((Translate("left", where=Where("a pochino", "during")),), words, near)
+
+
+def test_talk_of_other_matters_is_known_by_its_words() -> None:
+    near = hearing()
+    assert chatting(words_of("my sister has the flu", near.book.contractions), near)
+    assert not chatting(words_of("a bit more left", near.book.contractions), near)
