@@ -23,6 +23,11 @@ INSTANTS, SHARES = (0.3, 0.5, 0.7), (0.25, 0.5, 0.75)
 
 With these the jerk is within a tenth of the least there is for turns up to 300 degrees.
 """
+FAR_ROUND_RAD = math.radians(150.0)
+NEARER, NEAREST = 0.2, 0.7
+"""A way that turns further about the base than `FAR_ROUND_RAD` keeps less far out: by so much of
+its distances for each rad more, down to so much of them. It is long: so it is shorter and
+smoother."""
 LEAST_SAMPLES = 12
 _NEARLY_M = 1e-9
 _SUBSETS = [some for some in itertools.product((0.0, 1.0), repeat=3) if any(some)]
@@ -106,10 +111,12 @@ def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: floa
     turns : two of Turn
         Of the stretches at either end.
     keep : float
-        Share of the distance from the axis that is kept, against a way that turns evenly.
+        Share of the distance from the axis that is kept, against a way that turns evenly; less
+        where it turns far.
     """
     begin = _changed(places[0], clear.begin, turns[0].azimuth)
     end = _changed(places[4], clear.end, turns[1].azimuth)
+    keep = kept_out(keep, abs(clear.end[0] + end[0] - clear.begin[0] - begin[0]))
     directions, needs = [], []
     for k, share in enumerate(SHARES):
         angle = clear.azimuth[k] + begin[0] + (end[0] - begin[0]) * share
@@ -125,6 +132,11 @@ def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: floa
     ]
     found = zip(least_presses(stiff, needs), directions, strict=True)
     return [[press * x, press * y] for press, (x, y) in found]
+
+
+def kept_out(keep: float, turned_rad: float) -> float:
+    """Return the share of the distance that a way keeps which turns so far about the base."""
+    return max(keep - NEARER * max(turned_rad - FAR_ROUND_RAD, 0.0), min(keep, NEAREST))
 
 
 def _changed(place: Floats, shown: tuple[float, float], turn: float) -> tuple[float, float]:

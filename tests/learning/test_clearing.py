@@ -6,7 +6,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from assistant.geometry import Array
-from assistant.learning.clearing import bump, least_presses, prepared, presses
+from assistant.learning.clearing import (
+    FAR_ROUND_RAD,
+    NEAREST,
+    bump,
+    kept_out,
+    least_presses,
+    prepared,
+    presses,
+)
 from assistant.learning.turning import Turn
 from assistant.learning.weights import least_jerk, quintic
 
@@ -83,7 +91,7 @@ def test_little_more_need_is_little_more_press(seed: int) -> None:
 def test_a_way_around_the_base_stays_out_with_less_jerk_than_an_even_turn(degrees: int) -> None:
     azimuth = np.deg2rad(degrees)
     path = led(azimuth)
-    assert np.min(np.hypot(*path.T)) > 0.85 * 0.6
+    assert np.min(np.hypot(*path.T)) > 0.97 * kept_out(1.0, abs(azimuth)) * 0.6
     assert np.max(np.hypot(*path.T)) < 1.05 * 0.6
     # It goes around on the side it should.
     assert np.unwrap(np.arctan2(path[:, 1], path[:, 0]))[-1] == pytest.approx(azimuth, abs=1e-2)
@@ -96,6 +104,12 @@ def test_a_way_that_may_come_nearer_has_less_jerk() -> None:
     azimuth = np.deg2rad(200.0)
     rough = [jerk(led(azimuth, keep)) for keep in (1.0, 0.9, 0.8)]
     assert rough[0] > rough[1] > rough[2]
+
+
+@given(keep=st.floats(0.3, 1.0), turned=st.floats(0.0, 6.0), more=st.floats(0.0, 1.0))
+def test_only_a_way_that_turns_far_comes_nearer(keep: float, turned: float, more: float) -> None:
+    assert kept_out(keep, min(turned, FAR_ROUND_RAD)) == keep
+    assert min(keep, NEAREST) <= kept_out(keep, turned + more) <= kept_out(keep, turned) <= keep
 
 
 def test_a_way_that_is_clear_is_not_pressed() -> None:
