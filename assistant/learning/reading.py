@@ -22,7 +22,10 @@ from assistant.model.task import Task, primitives
 
 _SAME_CUT_S = 0.4
 """Cuts so near to each other are one and the same."""
-_AT_THE_END = 1.0 / 3.0
+_AT_THE_END = 1.0 / 6.0
+"""Of the chance of an untold step at the end: a hand that only leaves is asked about if it is about
+as likely a step of its own as not.
+"""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
