@@ -5,6 +5,7 @@ from __future__ import annotations
 from assistant.language.answers import LISTS, answer, trimmed, wrapped
 from assistant.language.commands import command, unknown
 from assistant.language.guessing import asks
+from assistant.language.hints import hints
 from assistant.language.naming import known_name
 from assistant.language.parsing import (
     DOUBTFUL,
@@ -19,7 +20,7 @@ from assistant.language.parsing import (
 from assistant.language.phrasebook import Phrasebook
 from assistant.language.repair import respelled
 from assistant.language.sides import told_side
-from assistant.language.words import Words
+from assistant.language.words import Words, spoken
 from assistant.language.wrappings import NAMES, said_of
 from assistant.model.teacher_acts import (
     AddSubtask,
@@ -79,6 +80,15 @@ _STRUCTURE = (
 )
 ASIDE = (Help, RepeatLine, Explain, Show, Undo, Redo, BeBrief, BeThorough, Quit, GoBack, Load)
 _TOLD = 0.93
+
+
+def goalless(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the answer that there is no goal, told in the words the robot offers for it."""
+    offered = {one.lower() for one in hints("nothing", hearing.language)}
+    told = spoken(words)
+    if hearing.listening.asked != "goal" or told not in offered:
+        return None
+    return Parse((Inform(told),), SURE, "answer")
 
 
 def answered(words: Words, hearing: Hearing) -> Parse:

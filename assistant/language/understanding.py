@@ -15,7 +15,7 @@ from assistant.language.commands import command, consent, plain_answer, settled,
 from assistant.language.fillers import without_fillers
 from assistant.language.guessing import guess, urgent
 from assistant.language.naming import known_name
-from assistant.language.open_answers import MOTION, answered
+from assistant.language.open_answers import MOTION, answered, goalless
 from assistant.language.parsing import (
     ACTING,
     DOUBTFUL,
@@ -82,9 +82,9 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
         return Reading(Parse((Unknown(),), LIKELY), words, words, {}, hearing)
     if listening.asked not in OPEN:
         words = _once(words)
-    consenting = consent(words, hearing)
-    if consenting is not None:
-        return Reading(consenting, words, words, {}, hearing)
+    plain = consent(words, hearing) or goalless(words, hearing)
+    if plain is not None:
+        return Reading(plain, words, words, {}, hearing)
     short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
     if short is not None and short.score >= SURE and listening.asked not in OPEN:
         heard, parse = heard_words, settled(short, listening)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from assistant.language.hints import hints
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Asked, Inform
@@ -133,3 +134,14 @@ def test_what_leads_to_a_goal_is_none_of_it(text: str, value: str) -> None:
 @pytest.mark.parametrize("text", ["four, nah hold on, five", "three, no hold on, five steps"])
 def test_of_a_count_taken_back_the_later_holds(text: str) -> None:
     assert _answer(text, "subtask_count") == 5
+
+
+@pytest.mark.parametrize("language", ["english", "german"])
+def test_that_there_is_no_goal_is_understood_in_the_words_the_robot_offers(language: str) -> None:
+    asked = Listening("introduction", "goal", task="stacking")
+    for words in hints("nothing", language):
+        told = understand(words, asked, language)
+        assert told.confidence >= 0.85
+        (act,) = told.acts
+        assert isinstance(act, Inform)
+        assert act.value in hints("nothing", language)
