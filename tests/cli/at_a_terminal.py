@@ -98,7 +98,7 @@ class Teacher:
 
     def prompted(self) -> None:
         """Wait until a line can be typed: what comes before may be dropped by Ctrl-C."""
-        self.terminal.expect("you:")
+        self.terminal.expect("you:|du:")
 
     def introduce(self) -> None:
         """Tell what the task is, until the hand is driven by keys."""
