@@ -75,6 +75,8 @@ def test_a_window_that_closes_while_the_hand_is_driven(tmp_path: Path, teach: Ta
     teacher = Teacher(tmp_path, "--resume")
     teacher.take_the_hand()
     teacher.press("w")
+    # What is shown is recorded from the first key on, which opens the file.
+    teacher.sample()
     teacher.until(lambda: samples(tmp_path) > 5)
     teacher.terminal.close(force=False)
     teacher.terminal.wait()
