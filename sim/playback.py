@@ -52,7 +52,10 @@ class Playback:
 
     @property
     def stands(self) -> bool:
-        """Whether the hand already rests at the next station, waiting for the gripper's time."""
+        """Whether the hand already rests at the next station, waiting for the gripper's time.
+
+        It waits for its primitive, too: what has to hold before that is held until it has begun.
+        """
         return self._within(STANDS_RAD)
 
     @property
@@ -63,6 +66,9 @@ class Playback:
     def _within(self, most_rad: float) -> bool:
         if not self.pending or self.sample >= self.pending[0].at:
             return bool(self.pending)
+        primitive = self.motion.primitive_at
+        if primitive[max(self.sample - 1, 0)] != primitive[self.pending[0].at]:
+            return False
         way = self.motion.q[self.sample : self.pending[0].at + 1]
         return bool(np.max(np.abs(way - way[-1])) < most_rad)
 

@@ -113,6 +113,25 @@ def test_a_stop_while_the_pads_leave_keeps_the_grip(make: Maker) -> None:
     assert arm.look().held == "block"
 
 
+def test_the_grip_is_kept_until_the_step_that_lets_go_has_begun(make: Maker) -> None:
+    arm, plan = make(), motion()
+    release = plan.stops[-1].at
+    begins = np.array(plan.primitive_at)
+    # The hand stands at the place long before.
+    begins[begins == begins[release]] -= 1
+    begins[release - 3 :] = plan.primitive_at[release]
+    assert np.max(np.abs(plan.q[release - 10 : release] - plan.q[release])) < 1e-5
+    _, scene, setup = lesson()
+    arm.arrange(scene, setup)
+    arm.start(replace(plan, primitive_at=begins))
+    while arm.look().moving:
+        told = arm.tick()
+        if any((one.kind, one.primitive_at) == ("primitive", begins[release]) for one in told):
+            break
+    assert arm.look().held == "block"
+    assert told_until_rest(arm)[-1].kind == "finished"
+
+
 def _parting(arm: SimulatedArm) -> float:
     """Tick until the pads have begun to leave the block and return their opening."""
     ticked_to(arm, "held")
