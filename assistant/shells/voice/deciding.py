@@ -15,7 +15,6 @@ from assistant.language.answers import OPEN
 from assistant.model import teacher_acts as acts
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import TeacherAct, Unknown
-from assistant.shells.voice.foreground import LOUD_DB
 from assistant.shells.voice.weighing import Candidate
 
 SURE = 0.85
@@ -37,8 +36,7 @@ ASKABLE = 0.75
 """Less sure than this it is chat, and the robot does not ask what was meant."""
 LIKELIEST = 12
 """So many candidates are understood."""
-SURE_SHARE, CLEAR_SHARE = 0.7, 0.6
-"""So likely something is acted on in a loud room, and where it is clear or can be put right."""
+SURE_SHARE = 0.6
 ASK_SHARE = 0.35
 HALFWAY = 0.5
 RIVAL_SHARE = 0.25
@@ -46,10 +44,13 @@ RIVAL_SHARE = 0.25
 so likely have meant something else."""
 MOST_STEPS = 9
 """A number of steps that nobody would expect is asked about."""
-WORST, WORST_WORD, LOUD_WORD = 4.0, (1.0, 1.5), 0.8
+WORST = ((10.0, 3.0), (17.0, 4.0))
+"""How far speech stands out of the room in dB, and how unlikely it may be: in a loud room what
+was not said is taken for speech more easily."""
+WORST_WORD = (1.0, 1.5)
 ALONE_SHARE = 0.95
 """Less likely than this, and less by each word, it is asked about at most; where hardly anything
-else may have been said, it may be a little less likely, and so may each word in a loud room."""
+else may have been said, it may be a little less likely."""
 HOPELESS = 5.0
 """Less likely still by so much, nobody said it."""
 
@@ -149,10 +150,7 @@ class Reading:
 
 
 def decided(
-    found: Sequence[Candidate],
-    meaning: Callable[[str], Understanding],
-    clear_db: float = inf,
-    least: float = SURE_SHARE,
+    found: Sequence[Candidate], meaning: Callable[[str], Understanding], clear_db: float = inf
 ) -> Heard:
     """Return what weighed candidates come to: surely, to be asked about, or nothing.
 
@@ -166,9 +164,7 @@ def decided(
     meaning : callable
         What words mean here.
     clear_db : float
-        How far the speech stands out of the room: in a loud one words explain less of the sound.
-    least : float
-        Less likely than this it is asked about.
+        How far the speech stands out of the room: in a loud one more is asked about.
     """
     read = [Reading(one.text, one.share, meaning(one.text), "") for one in found[:LIKELIEST]]
     votes: dict[tuple[object, ...], float] = {}
@@ -183,12 +179,11 @@ def decided(
     candidate = next(one for one in found if one.text == chosen.text)
     fit = candidate.fit
     alone = votes[acted] >= ALONE_SHARE
-    each = WORST_WORD[alone] + (LOUD_WORD if clear_db < LOUD_DB else 0.0)
-    worst = -(WORST + each * len(chosen.text.split()))
+    worst = -(_worst(clear_db) + WORST_WORD[alone] * len(chosen.text.split()))
     if fit < worst - HOPELESS:
         return nothing_heard(chosen.text)
     rival = max((share for kind, share in votes.items() if kind != acted), default=0.0)
-    well = fit >= worst and votes[acted] >= least and rival < RIVAL_SHARE
+    well = fit >= worst and votes[acted] >= SURE_SHARE and rival < RIVAL_SHARE
     usual = candidate.expected or not chosen.numbers or _few(chosen)
     other = (
         one.weight
@@ -202,6 +197,12 @@ def decided(
         and (chosen.commands or chosen.meant.confidence < SURE)
     )
     return as_heard(chosen, 1.0 if sure else DOUBT)
+
+
+def _worst(clear_db: float) -> float:
+    (low_db, least), (high_db, most) = WORST
+    share = min(max((clear_db - low_db) / (high_db - low_db), 0.0), 1.0)
+    return least + share * (most - least)
 
 
 def _best_of(alike: Sequence[Reading]) -> Reading:

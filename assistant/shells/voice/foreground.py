@@ -34,9 +34,6 @@ HIDDEN_S = 0.12
 CLEAR_DB, HIDDEN = (3.0, 8.0, 12.0, 25.0), (0.0, 1.0, 1.0, 0.0)
 """How much of soft sounds is hidden: all of them in a loud room, none in a quiet one, and none
 where the sound begins and ends within speech, so that no room is heard."""
-LOUD_DB = 22.0
-"""Where speech stands out of the room less, a second opinion is always asked for, and recognizers
-take all care."""
 FAINT = 0.1
 """Stretches beyond a pause that hold less than this share of the power are the room's."""
 

@@ -18,7 +18,7 @@ from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Stop, Unknown
-from assistant.shells.voice.choosing import Chooser, rivals
+from assistant.shells.voice.choosing import LOUD_DB, Chooser, Said, rivals
 from assistant.shells.voice.deciding import (
     ASKABLE,
     DOUBT,
@@ -32,11 +32,10 @@ from assistant.shells.voice.deciding import (
     trusted,
     voted,
 )
-from assistant.shells.voice.foreground import LOUD_DB, foreground
+from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
 from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
 from assistant.shells.voice.repairing import written
-from assistant.shells.voice.said import Said
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
 QUICK = 0.5
@@ -74,22 +73,13 @@ class Hearing:
     recognizers : sequence of Recognizer
         The quickest first.
     language : str
-    chooser : Chooser, optional
-        In place of one that asks the last recognizer, if that can weigh.
     """
 
-    def __init__(
-        self,
-        recognizers: Sequence[Recognizer],
-        language: str = "english",
-        chooser: Chooser | None = None,
-    ) -> None:
+    def __init__(self, recognizers: Sequence[Recognizer], language: str = "english") -> None:
         self._recognizers = tuple(recognizers)
         self._language = language
         slow = self._recognizers[-1]
-        if chooser is None and isinstance(slow, Weigher):
-            chooser = Chooser(slow, language)
-        self._chooser = chooser
+        self._chooser = Chooser(slow, language) if isinstance(slow, Weigher) else None
 
     @property
     def names(self) -> tuple[str, ...]:
