@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 
 from assistant.dialogue.bodies import WIDEST_MM, too_wide, with_body
 from assistant.dialogue.introduction import MOST_PARTS, all_understood, with_action
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import (
     Value,
     alike,
@@ -18,7 +19,7 @@ from assistant.dialogue.naming import (
     tidy_name,
 )
 from assistant.dialogue.sketch import Sketch, at, counted, names, put, with_parts
-from assistant.dialogue.state import Introducing, Knowledge
+from assistant.dialogue.state import Introducing
 from assistant.dialogue.things import placed, things_in
 from assistant.dialogue.turn import line
 from assistant.language.actions import mentioned_objects, read_action

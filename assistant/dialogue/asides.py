@@ -10,6 +10,7 @@ from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, listed_steps, tidy_name
 from assistant.dialogue.plan_words import (
     added,
@@ -28,7 +29,6 @@ from assistant.dialogue.state import (
     Closed,
     Dialogue,
     Introducing,
-    Knowledge,
     Opening,
     Thinking,
     Watching,

@@ -7,13 +7,13 @@ from typing import Any
 
 from assistant.dialogue import introduction
 from assistant.dialogue.effects import Check, Learn
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import Sketch, leaves, walk
 from assistant.dialogue.state import (
     AwaitingShow,
     Dialogue,
     Introducing,
-    Knowledge,
     Ran,
     Ready,
     Reviewing,

@@ -11,8 +11,9 @@ from assistant.dialogue.asking import ask, begin_run, places, tell
 from assistant.dialogue.directions import move_in_world
 from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.effects import Arrange
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.placing import placed, pointed_at
-from assistant.dialogue.state import Dialogue, Introducing, Knowledge, Pending, Ran, Ready
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready
 from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.hints import hints, mentions

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.geometry import Array, pose_to_mm_deg
 from assistant.model.scene import Body
 from assistant.model.setup import Place

@@ -24,15 +24,8 @@ from assistant.dialogue.directions import depends_on_facing, direction_of, squee
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
 from assistant.dialogue.finding import find_whole, name_at, spoken_of, unclear
-from assistant.dialogue.state import (
-    Dialogue,
-    Introducing,
-    Knowledge,
-    Pending,
-    Ran,
-    Ready,
-    Running,
-)
+from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
 from assistant.dialogue.turn import Turn, Words, changed, line, say, then, with_other
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 
 from assistant.dialogue.correcting import plain_feedback
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import Sketch, from_tree, leaves, names, walk
-from assistant.dialogue.state import Knowledge
 from assistant.dialogue.turn import line
 from assistant.model.lesson import Lesson
 from assistant.model.robot_acts import RobotAct

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.runs import Run
-from assistant.dialogue.state import Knowledge
 from assistant.dialogue.turn import plain_condition
 from assistant.model.conditions import Condition
 from assistant.model.task import Primitive, Task, primitives

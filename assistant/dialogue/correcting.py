@@ -20,7 +20,7 @@ from assistant.dialogue.directions import (
     station_of,
     turn_in_world,
 )
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback, When
 from assistant.model.settings import SafetySettings

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from assistant.dialogue.state import Facing, Knowledge
+from assistant.dialogue.knowledge import Facing, Knowledge
 from assistant.geometry import Array, rotate_vector
 from assistant.geometry.quaternions import quat_inverse
 from assistant.model.directions import WAYS, Triple

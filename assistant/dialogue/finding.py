@@ -9,13 +9,14 @@ from typing import Any
 
 from assistant.dialogue.asking import ask, settle, tell
 from assistant.dialogue.introduction import all_understood, with_roles
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import (
     Sketch,
     at,
     names,
     walk,
 )
-from assistant.dialogue.state import Dialogue, Knowledge, Pending
+from assistant.dialogue.state import Dialogue, Pending
 from assistant.dialogue.turn import Turn, changed, line
 from assistant.language.actions import read_action
 from assistant.language.hints import hints

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.dialogue.asking import ask
-from assistant.dialogue.state import Dialogue, Introducing, Knowledge
+from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.state import Dialogue, Introducing
 from assistant.dialogue.turn import Turn, changed, first, line, say
 
 

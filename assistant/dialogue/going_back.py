@@ -8,15 +8,9 @@ from assistant.dialogue import introduction
 from assistant.dialogue.asking import ask, introduced, proceed, tell
 from assistant.dialogue.effects import Effect, Halt
 from assistant.dialogue.keeping import arrange_if_changed
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.reviewing import read_back
-from assistant.dialogue.state import (
-    AwaitingShow,
-    Dialogue,
-    Introducing,
-    Knowledge,
-    Ready,
-    Reviewing,
-)
+from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing, Ready, Reviewing
 from assistant.dialogue.turn import Turn, first, line, say
 from assistant.model.robot_acts import RobotAct
 from assistant.model.teacher_acts import Stage

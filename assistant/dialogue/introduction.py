@@ -9,8 +9,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assistant.dialogue.bodies import fitted
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import Sketch, at, put, walk
-from assistant.dialogue.state import Introducing, Knowledge
+from assistant.dialogue.state import Introducing
 from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import about, line, plain_tree
 from assistant.language.actions import mentioned_objects, read_action

@@ -11,8 +11,9 @@ from assistant.dialogue.comparing import comparison
 from assistant.dialogue.effects import Arrange, Discard, Halt, Keep, Leave, Load, WriteDown
 from assistant.dialogue.events import Kept, Loaded
 from assistant.dialogue.fresh import fresh
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import from_tree
-from assistant.dialogue.state import After, Closed, Dialogue, Knowledge, Pending
+from assistant.dialogue.state import After, Closed, Dialogue, Pending
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import About

@@ -30,8 +30,9 @@ from assistant.dialogue.events import (
 from assistant.dialogue.hearing import hear
 from assistant.dialogue.introduction import need
 from assistant.dialogue.keeping import kept, known_as, loaded, resumed, taken_up
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.listening import beneath, listening
-from assistant.dialogue.state import Closed, Dialogue, Introducing, Knowledge
+from assistant.dialogue.state import Closed, Dialogue, Introducing
 from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, first, line, say
 from assistant.dialogue.view import public_view

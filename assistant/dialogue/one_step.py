@@ -6,9 +6,10 @@ from dataclasses import dataclass, replace
 
 from assistant.dialogue.asking import learn, tell
 from assistant.dialogue.going_back import go_back
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.reviewing import with_lesson
 from assistant.dialogue.sketch import at, leaves, walk
-from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge
+from assistant.dialogue.state import AwaitingShow, Dialogue
 from assistant.dialogue.turn import Turn, changed, first, line, say
 from assistant.geometry import Array
 from assistant.learning.splicing import Apart, Spliced, spliced

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from assistant.dialogue.directions import direction_of
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.language.hints import hints, mentions
 from assistant.model.feedback import Feedback
 

@@ -8,15 +8,8 @@ from typing import Any, Literal
 
 from assistant.dialogue.asking import ask, begin_run, places, proceed, tell
 from assistant.dialogue.effects import Arrange
-from assistant.dialogue.state import (
-    Dialogue,
-    Introducing,
-    Knowledge,
-    Pending,
-    Ran,
-    Ready,
-    Running,
-)
+from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
 from assistant.dialogue.things import known_name
 from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, with_other
 from assistant.language.actions import mentioned_objects

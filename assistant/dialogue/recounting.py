@@ -9,8 +9,9 @@ from assistant.dialogue.asking import PRACTICE, places, tell
 from assistant.dialogue.conditions import expected, plain_conditions
 from assistant.dialogue.correcting import plain_feedback, speed_of
 from assistant.dialogue.directions import direction_of
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.reviewing import read_back
-from assistant.dialogue.state import Dialogue, Knowledge, Pending, Reviewing
+from assistant.dialogue.state import Dialogue, Pending, Reviewing
 from assistant.dialogue.turn import Turn, line, plain_action, plain_tree
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import Lesson

@@ -18,18 +18,10 @@ from assistant.dialogue.keeping import (
     save,
     write_down,
 )
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import tidy_name
 from assistant.dialogue.practicing import UNTIL, new_setup
-from assistant.dialogue.state import (
-    Dialogue,
-    Introducing,
-    Knowledge,
-    Pending,
-    Ran,
-    Ready,
-    Running,
-    Watching,
-)
+from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running, Watching
 from assistant.dialogue.taking_back import numbered
 from assistant.dialogue.turn import Turn, Words, line, say, then
 from assistant.geometry import pose_to_mm_deg

@@ -9,10 +9,11 @@ from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, 
 from assistant.dialogue.bodies import WIDEST_MM, standing, too_wide
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import at, put
-from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Reviewing, Running, Thinking
+from assistant.dialogue.state import AwaitingShow, Dialogue, Reviewing, Running, Thinking
 from assistant.dialogue.turn import Turn, changed, first, line, say, then
 from assistant.dialogue.unnamed import introduced_late, names_new_step, no_step_of_its_own
 from assistant.model import teacher_acts as acts

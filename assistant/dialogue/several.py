@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from assistant.dialogue.answers import answer
 from assistant.dialogue.asking import ask, proceed
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import (
     Value,
     is_nothing,
@@ -20,7 +21,7 @@ from assistant.dialogue.naming import (
     steps_in,
     tidy_name,
 )
-from assistant.dialogue.state import Dialogue, Introducing, Knowledge
+from assistant.dialogue.state import Dialogue, Introducing
 from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language.matters import Told, told_matters

@@ -7,8 +7,9 @@ from dataclasses import replace
 from assistant.dialogue.asking import ask, learn, tell
 from assistant.dialogue.effects import EndRecording, Halt, Record, SetHand
 from assistant.dialogue.events import Shown
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.one_step import shown_step
-from assistant.dialogue.state import AwaitingShow, Dialogue, Knowledge, Pending, Watching
+from assistant.dialogue.state import AwaitingShow, Dialogue, Pending, Watching
 from assistant.dialogue.turn import Turn, changed, line, say, then
 from assistant.model import teacher_acts as acts
 from assistant.model.demonstration import Demonstration

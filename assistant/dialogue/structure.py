@@ -9,6 +9,7 @@ from typing import Any
 from assistant.dialogue import grouping
 from assistant.dialogue.asking import settle, tell
 from assistant.dialogue.finding import candidates, edited, find, name_at, unclear
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike
 from assistant.dialogue.sketch import (
     Sketch,
@@ -20,7 +21,7 @@ from assistant.dialogue.sketch import (
     walk,
     with_parts,
 )
-from assistant.dialogue.state import Dialogue, Knowledge, Reviewing
+from assistant.dialogue.state import Dialogue, Reviewing
 from assistant.dialogue.turn import Turn, changed, line, say
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson

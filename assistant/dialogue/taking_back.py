@@ -9,9 +9,10 @@ from assistant.dialogue.asking import tell
 from assistant.dialogue.changing import corrected
 from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.finding import find
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.picking import Picked, described, picked
 from assistant.dialogue.recounting import plain_corrections
-from assistant.dialogue.state import Dialogue, Knowledge
+from assistant.dialogue.state import Dialogue
 from assistant.dialogue.turn import Turn, Words, changed, line
 from assistant.dialogue.undoing import redo
 from assistant.language.hints import hints, mentions

@@ -8,8 +8,9 @@ from types import MappingProxyType
 from typing import Any
 
 from assistant.dialogue.effects import Effect, Say
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import Sketch, walk
-from assistant.dialogue.state import Change, Dialogue, Knowledge, Other
+from assistant.dialogue.state import Change, Dialogue, Other
 from assistant.model.conditions import Condition
 from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.setup import Place

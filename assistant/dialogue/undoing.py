@@ -7,8 +7,9 @@ from dataclasses import replace
 from assistant.dialogue.asking import tell
 from assistant.dialogue.changing import corrected, told_of
 from assistant.dialogue.going_back import resettled
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import names
-from assistant.dialogue.state import Change, Dialogue, Knowledge, Ready
+from assistant.dialogue.state import Change, Dialogue, Ready
 from assistant.dialogue.turn import Turn, changed, line, say
 
 

@@ -7,8 +7,9 @@ from typing import Any
 
 from assistant.dialogue.asking import PRACTICE, places, question, stage
 from assistant.dialogue.correcting import plain_feedback, speed_of
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.runs import RunResult
-from assistant.dialogue.state import Dialogue, Knowledge
+from assistant.dialogue.state import Dialogue
 from assistant.dialogue.turn import plain_action, plain_condition, plain_tree
 from assistant.model.lesson import Lesson
 from assistant.model.task import primitives

@@ -14,7 +14,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.turn import plain_action
 from assistant.language.hints import page
 from assistant.language.speech import in_words

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts

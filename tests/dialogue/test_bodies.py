@@ -9,7 +9,7 @@ import pytest
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.bodies import CLEAR_MM, HELD_MM, standing, with_body
-from assistant.dialogue.state import Knowledge
+from assistant.dialogue.knowledge import Knowledge
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.scene import Obstacle, Scene
