@@ -64,8 +64,8 @@ def doubted(
     """
     if isinstance(dialogue.state, Watching) and not _ends(meant):
         return dialogue, ()
-    if all(isinstance(act, acts.Help) for act in meant):
-        # To help does no harm, even where nobody asked for it.
+    if not words.by_voice and all(isinstance(act, acts.Help) for act in meant):
+        # To help does no harm where it was typed; what was misheard was an answer, and is lost.
         return tell(without_guess(dialogue), help_line(without_guess(dialogue)))
     meant = tuple(_of_what_was_asked(dialogue, act) for act in meant)
     instead = (

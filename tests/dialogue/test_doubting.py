@@ -119,6 +119,11 @@ def test_help_is_given_however_unsurely_it_was_asked_for() -> None:
     assert teacher.topics == ["help.confirm_tree", "confirm.tree"]
 
 
+def test_who_may_have_been_misheard_is_asked_and_not_helped() -> None:
+    teacher = Lessons().open().hear(acts.Help(), text="help", sure=0.6, voice=True)
+    assert teacher.asked == "did_you_mean"
+
+
 def test_three_numbers_plainly_tell_a_place_that_was_asked_for() -> None:
     teacher = Lessons().open().tell("move the drum").tell("the drum stands on the mat")
     teacher.tell(("drum", "mat")).tell("a box, 3 by 3 by 10 cm")
