@@ -21,7 +21,6 @@ from assistant.plain_yaml import read_file
 _STEPS = frozenset(("subtask", "subtasks", "first", "second", "after", "before", "old"))
 _THINGS = frozenset(("objects", "which", "body"))
 _SHORTEST = 4
-_INFIX = "ge"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,6 +37,8 @@ class Forms:
         Endings of bent verbs, bent verbs and participles, with what they are of.
     running, led : tuple of phrases
         What stands behind and before a step's name and is no part of it.
+    within, ending : str
+        What a regular participle has within it, and at its end.
     owned : frozenset of str
         Articles behind which a name ends in `owned_ending`.
     """
@@ -49,6 +50,8 @@ class Forms:
     done: Mapping[str, str]
     running: tuple[Phrase, ...]
     led: tuple[Phrase, ...]
+    within: str
+    ending: str
     owned: frozenset[str]
     owned_ending: str
 
@@ -68,6 +71,8 @@ def forms(language: str) -> Forms | None:
         done=dict(pairs(told["done"])),
         running=longest_first(told["running"]),
         led=longest_first(told["led"]),
+        within=told["within"],
+        ending=told["ending"],
         owned=single(told["owned"]),
         owned_ending=told["owned_ending"],
     )
@@ -203,10 +208,10 @@ def _of_participle(verb: str, known: Forms) -> str:
     for done, whole in known.done.items():
         if verb.endswith(done):
             return verb.removesuffix(done) + whole
-    at = verb.find(_INFIX)
-    stem = verb[at + len(_INFIX) : -1]
-    regular = at >= 0 and verb.endswith("t") and len(stem) >= _SHORTEST - 1
-    return f"{verb[:at]}{infinitive(stem + 't', known)}" if regular else ""
+    at = verb.find(known.within)
+    stem = verb[at + len(known.within) :].removesuffix(known.ending)
+    regular = at >= 0 and verb.endswith(known.ending) and len(stem) >= _SHORTEST - 1
+    return f"{verb[:at]}{infinitive(stem + known.ending, known)}" if regular else ""
 
 
 def _places(parts: Sequence[str], words: Words) -> Iterator[int]:
