@@ -76,13 +76,13 @@ def united(words: Words, hearing: Hearing) -> Words:
         quantity = numbers.quantity(texts, at)
         end = quantity.end if quantity else at + 1
         found.extend(words[at:end])
-        ways = (motion.get(texts[end : end + size], "") for size in (3, 2, 1))
-        leading = next((kind for kind in ways if kind), "") in GROUPS["way"]
         counted = quantity.kind == "" if quantity else texts[at] in numbers.articles
         if quantity is not None and quantity.kind == "m":
             unit = texts[end - 1] if texts[end - 1] in numbers.units else ""
-        elif unit and counted and leading:
-            found.append(Word(unit, ""))
+        elif unit and counted:
+            ways = (motion.get(texts[end : end + size], "") for size in (3, 2, 1))
+            if next((kind for kind in ways if kind), "") in GROUPS["way"]:
+                found.append(Word(unit, ""))
         at = end
     return tuple(found)
 
@@ -168,8 +168,10 @@ def once_more(words: Words, hearing: Hearing) -> Parse | None:
     texts, little = texts_of(words), hearing.book.little
     joints = little["clause_joints"]
     for phrase in hearing.book.again:
+        begins, ends = texts[0] == phrase[0], texts[-1] == phrase[-1]
+        if not (begins or ends):
+            continue
         size = len(phrase)
-        begins, ends = texts[:1] == phrase[:1], texts[-1:] == phrase[-1:]
         if begins and texts[:size] == phrase and len(texts) > size:
             rest = words[size:]
             while len(rest) > 1 and rest[0].text in joints | little["again_with"]:

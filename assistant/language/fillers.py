@@ -27,7 +27,8 @@ def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Word
             at += size
             continue
         word = words[at]
-        kept.append(replace(word, broken=word.broken or (broken and bool(kept))))
+        parted = broken and not word.broken and bool(kept)
+        kept.append(replace(word, broken=True) if parted else word)
         broken = False
         at += 1
     said = _unaddressed(tuple(kept) or words, asked, book)
@@ -96,4 +97,4 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
 
 
 def _texts(words: Words) -> Phrase:
-    return tuple(word.text for word in words)
+    return tuple([word.text for word in words])

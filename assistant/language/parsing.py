@@ -71,7 +71,7 @@ class Reading:
 
 def texts_of(words: Sequence[Word]) -> Phrase:
     """Return the words as they are compared."""
-    return tuple(word.text for word in words)
+    return tuple([word.text for word in words])
 
 
 def bared(words: Words, book: Phrasebook) -> Iterator[Words]:

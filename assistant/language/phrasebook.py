@@ -29,7 +29,7 @@ from assistant.language.templates import (
     compiled,
 )
 from assistant.language.ways_to_say import Sentence as Sentence
-from assistant.language.ways_to_say import needing, sentences_of
+from assistant.language.ways_to_say import beginning, needing, sentences_of
 from assistant.language.words import owners
 from assistant.model.feedback import When
 from assistant.plain_yaml import read_file
@@ -67,6 +67,7 @@ class Phrasebook:
     homophones: Mapping[Phrase, Phrase]
     sentences: tuple[Sentence, ...]
     needing: Mapping[str, tuple[int, ...]]
+    beginning: Mapping[str, frozenset[int]]
     answers: Mapping[str, tuple[tuple[Node, ...], ...]]
     answer_words: Mapping[str, tuple[Phrase, ...]]
     vocabulary: frozenset[str]
@@ -87,14 +88,12 @@ class Phrasebook:
     def candidates(self, texts: Phrase) -> Iterator[Sentence]:
         """Yield the sentences that words can match, those that begin with the first word first."""
         told = frozenset(texts)
-        places = {*self.needing[""], *(at for word in told for at in self.needing.get(word, ()))}
-        near = [self.sentences[at] for at in sorted(places)]
-        begun = texts[0]
-        free = [one for one in near if one.first is None and one.may_match(told)]
-        for one in near:
-            if one.first is not None and begun in one.first and one.may_match(told):
-                yield one
-        yield from free
+        needing = (self.needing.get(word, ()) for word in ("", *told))
+        places = set[int]().union(*needing)
+        for begun in (texts[0], ""):
+            for at in sorted(places & self.beginning.get(begun, frozenset())):
+                if self.sentences[at].may_match(told):
+                    yield self.sentences[at]
 
     def leading_words(self, name: str) -> frozenset[str]:
         """Return the single words of a kind of wrapping; a language may have none."""
@@ -170,6 +169,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any], little: LittleWor
         },
         sentences=sentences,
         needing=needing(sentences),
+        beginning=beginning(sentences),
         answers=answers,
         answer_words={name: longest_first(book["answers"][name]) for name in wrappings}
         | {f"pose_{name}": longest_first(told) for name, told in book["poses"].items()}

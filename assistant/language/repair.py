@@ -87,18 +87,27 @@ def _nearest(text: str, known: frozenset[str], little: LittleWords) -> str:
 def _corrected(text: str, known: frozenset[str]) -> str:
     """Return the one word of the vocabulary that a slip makes a text of; itself if none is."""
     far = 1 if len(text) < 7 else 2
-    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=None)
+    sizes = range(max(_SHORTEST - 1, len(text) - far), len(text) + far + 1)
+    long = [word for size in sizes for word in _by_length(known).get(size, ())]
+    near = process.extract(text, long, scorer=OSA.distance, score_cutoff=far, limit=None)
     letters = sorted(text)
     ranked = sorted(
-        (_strangeness(text, word, distance, letters), word)
-        for word, distance, _ in near
-        if len(word) >= _SHORTEST - 1
+        (_strangeness(text, word, distance, letters), word) for word, distance, _ in near
     )
     if not ranked or ranked[0][0] > far + 0.8:
         return text
     if len(ranked) > 1 and ranked[1][0] - ranked[0][0] < 0.1:
         return text
     return ranked[0][1]
+
+
+@lru_cache(maxsize=32)
+def _by_length(known: frozenset[str]) -> Mapping[int, tuple[str, ...]]:
+    """Return the words by how long they are: no slip makes a word much longer."""
+    found: dict[int, list[str]] = {}
+    for word in known:
+        found.setdefault(len(word), []).append(word)
+    return {size: tuple(words) for size, words in found.items()}
 
 
 _VOWELS = frozenset("aeiou")
@@ -161,12 +170,19 @@ def rejoined(words: Words, book: Phrasebook) -> Words:
 @lru_cache(maxsize=4096)
 def _sounding(text: str, known: frozenset[str]) -> str:
     far = 1 if len(text) < 6 else 2
-    near = process.extract(text, known, scorer=OSA.distance, score_cutoff=far, limit=None)
-    sound = _sound(text)
-    alike = [
-        (distance, word) for word, distance, _ in near if len(word) > 3 and _sound(word) == sound
-    ]
+    told = ((OSA.distance(text, word), word) for word in _by_sound(known).get(_sound(text), ()))
+    alike = [(distance, word) for distance, word in told if distance <= far]
     return min(alike)[1] if alike else ""
+
+
+@lru_cache(maxsize=32)
+def _by_sound(known: frozenset[str]) -> Mapping[str, tuple[str, ...]]:
+    """Return the words by how they sound, but for the short ones."""
+    found: dict[str, list[str]] = {}
+    for word in known:
+        if len(word) >= _SHORTEST:
+            found.setdefault(_sound(word), []).append(word)
+    return {sound: tuple(words) for sound, words in found.items()}
 
 
 _SOUNDS = str.maketrans("cqgjzxdbv", "kkkksstpf")

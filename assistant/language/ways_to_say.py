@@ -77,3 +77,12 @@ def needing(sentences: Sequence[Sentence]) -> Mapping[str, tuple[int, ...]]:
         for word in least if least else ("",):
             found.setdefault(word, []).append(at)
     return {word: tuple(ones) for word, ones in found.items()}
+
+
+def beginning(sentences: Sequence[Sentence]) -> Mapping[str, frozenset[int]]:
+    """Return where the sentences stand that begin with a word; ``""`` if with any."""
+    found: dict[str, set[int]] = {}
+    for at, sentence in enumerate(sentences):
+        for word in ("",) if sentence.first is None else sentence.first:
+            found.setdefault(word, set()).add(at)
+    return {word: frozenset(ones) for word, ones in found.items()}
