@@ -171,7 +171,8 @@ def place_name(fine: FinePath, sample: int) -> str:
     """Return in the task's words where on its path a sample is."""
     if not fine.stops:
         return "start" if sample == 0 else "path"
-    near = min(fine.stops, key=lambda stop: _away(stop, sample))
+    # Where one stretch begins with the end of another, the later one has moved what is there.
+    near = min(reversed(fine.stops), key=lambda stop: _away(stop, sample))
     if _away(near, sample) == 0:
         return stop_name(near)
     if sample == 0:
@@ -188,4 +189,5 @@ def stop_name(stop: HandStop) -> str:
     """Return a grasp or release in the task's words."""
     if stop.kind == "release":
         return f"release at {stop.frame}"
-    return f"{stop.kind} of {stop.object}"
+    # What is in the hand is brought somewhere: only elsewhere would that place be reached.
+    return f"{stop.kind} of {stop.frame if stop.kind == 'touch' else stop.object}"

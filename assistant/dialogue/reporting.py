@@ -108,6 +108,7 @@ def _refusal_slots(refusal: Refusal) -> dict[str, Any]:
         amount=round(refusal.amount, 1) or None,
         unit=refusal.unit,
         hint=refusal.hint,
+        by=round(refusal.by) or None,
     )
 
 

@@ -220,6 +220,10 @@ def _acts(wording: Wording, value: Any) -> str:
     return wording.joined([one.strip() for one in told])
 
 
+def _hint(wording: Wording, value: Any) -> str:
+    return wording.fill(wording.among("hints", value) if value else "")
+
+
 def _from(part: str) -> Callable[[Wording, Any], str]:
     """Return a kind that looks a key up in a part of the book."""
 
@@ -256,7 +260,7 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "conditions_of": _conditions_of,
     "corrections": _corrections,
     "acts": _acts,
-    "hint": _from("hints"),
+    "hint": _hint,
     "change": _from("changes"),
     "reason": _from("reasons"),
     "why": _from("whys"),

@@ -17,6 +17,8 @@ from assistant.learning.weights import quintic
 from assistant.model.settings import GeneralizationSettings
 
 _LEAST_SETTLING = 25
+_WAY = 0.3
+"""At least so much of what is traveled between two stations is a way."""
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
@@ -58,16 +60,24 @@ def docking_sample(
     suggested : int
         Where the primitive that docks ends.
     earliest : int
-        Docking is not sought before this sample.
+        Docking is not sought before this sample, nor so soon after it that no way is left.
     settings : GeneralizationSettings
     """
+    earliest = way_end(xyz, earliest, at)
     away = np.linalg.norm(xyz[earliest : at + 1] - xyz[at], axis=1)
-    inside = min(max(suggested - earliest, 0), len(away) - 1)
-    if settings.docking_near_m <= away[inside] <= settings.docking_far_m:
+    inside = min(suggested - earliest, len(away) - 1)
+    if inside >= 0 and settings.docking_near_m <= away[inside] <= settings.docking_far_m:
         return earliest + inside
     # Otherwise where the hand last came within the usual distance.
     outside = np.flatnonzero(away > settings.docking_m)
     return earliest + (int(outside[-1]) + 1 if len(outside) else 0)
+
+
+def way_end(xyz: Array, earliest: int, at: int) -> int:
+    """Return the first sample up to which enough of what is traveled is a way."""
+    steps = np.linalg.norm(np.diff(xyz[earliest : at + 1], axis=0), axis=1)
+    travel = np.concatenate([[0.0], np.cumsum(steps)])
+    return earliest + int(np.searchsorted(travel, _WAY * travel[-1]))
 
 
 def straightened(

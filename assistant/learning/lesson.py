@@ -11,6 +11,7 @@ import numpy as np
 
 from assistant.errors import BadInput
 from assistant.geometry import Array, compose, inverse, relative, rotate_vector
+from assistant.learning.arriving import arrival, site_of
 from assistant.learning.conditions import Inferred, inferred
 from assistant.learning.docking import docking_sample, grasp_ways, release_ways, straightened
 from assistant.learning.generalization import Sampled, primitive_at, sampled, shown_jerk
@@ -199,7 +200,11 @@ def _docked(
         if visit.kind == "touch":
             # A place to push from or to is a docking pose itself, with all of the way between;
             # what is done there with a thing in the hand keeps its shape from its beginning.
-            docking_at = min(max(suggested, earliest), at) if _holds(seen[:k]) else at
+            docking_at = at
+            if _holds(seen[:k]):
+                site = site_of(visit.object, visit.frame, placed[k], context.scene)
+                begin = min(max(suggested, earliest), at)
+                docking_at = arrival(path, earliest, begin, at, site, given)
         else:
             docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
             ways = _ways(context, visit, path[at], placed[k])

@@ -120,7 +120,10 @@ class Refusal:
     amount, unit : float, str
         By how much: mm or deg.
     hint : str
-        A key for what would help: ``closer``, ``farther``, ``turn``, ``lower``, ``clear``.
+        A key for what would help: ``closer``, ``farther``, ``turn``, ``turn_left``,
+        ``turn_right``, ``lower``, ``higher``, ``clear``; ``nothing`` if none of them does.
+    by : float
+        How much of it: mm or deg; 0 if that was not looked for.
     """
 
     reason: Literal["reach", "joint_limit", "collision", "setup", "speed"]
@@ -129,6 +132,7 @@ class Refusal:
     amount: float = 0.0
     unit: Literal["mm", "deg", ""] = ""
     hint: str = ""
+    by: float = 0.0
 
     def __str__(self) -> str:
         by = f" by {self.amount:.1f} {self.unit}" if self.unit else ""

@@ -16,6 +16,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Task
 from assistant.ports import Planner
+from assistant.session.advising import advised
 
 __all__ = ["Planned", "in_order", "planned"]
 
@@ -51,14 +52,19 @@ def planned(
 ) -> Planned:
     """Return a motion as shown, or in the first other order in which the task can be done.
 
-    What cannot be done in any order is refused for the reason it has as shown.
+    What cannot be done in any order is refused for the reason it has as shown, and with what
+    was found to help.
     """
-    path = adapt(plan or plan_adaptation(task), scene, setup, speed=speed)
+    plan = plan or plan_adaptation(task)
+    path = adapt(plan, scene, setup, speed=speed)
     shown = Planned(task, (), path, planner.plan(path, scene, setup))
     if not isinstance(shown.motion, Refusal):
         return shown
     others = _others(task, scene, setup, planner, speed)
-    return next((one for one in others if not isinstance(one.motion, Refusal)), shown)
+    done = next((one for one in others if not isinstance(one.motion, Refusal)), None)
+    if done is not None:
+        return done
+    return replace(shown, motion=advised(shown.motion, plan, scene, setup, planner, speed))
 
 
 def _others(

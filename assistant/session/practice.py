@@ -231,17 +231,21 @@ def _halted(last: ArmReport | None, task: Task) -> str:
 
 
 HINTS: Mapping[str, str] = {
-    "closer": "put it closer",
-    "farther": "put it farther away",
+    "closer": "put it{} closer",
+    "farther": "put it{} farther away",
     "turn": "turn it",
+    "turn_left": "turn it{} to the left",
+    "turn_right": "turn it{} to the right",
     "lower": "put it lower",
-    "higher": "put it higher",
+    "higher": "put it{} higher",
     "clear": "clear the way",
+    "nothing": "neither closer nor farther nor turned can it be done there",
 }
 
 
 def _refused(refusal: Refusal) -> str:
-    hint = HINTS.get(refusal.hint, "")
+    unit = "deg" if refusal.hint.startswith("turn") else "mm"
+    hint = HINTS.get(refusal.hint, "").format(f" {refusal.by:g} {unit}" if refusal.by else "")
     return f"{refusal}; {hint}" if hint else str(refusal)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -52,3 +54,12 @@ def test_places_are_named_in_the_tasks_words() -> None:
     named = [place_name(path, k) for k in (0, grasp.docking_at, between, release.at)]
     assert named == ["start", "grasp of block", "way to target", "release at target"]
     assert place_name(path, len(path.u_s) - 1) == "end"
+
+
+def test_what_begins_where_another_stretch_ends_is_told_of_the_place_it_goes_with() -> None:
+    path = fine(TABLE1[0])
+    grasp, release = path.stops
+    wiped = replace(release, kind="touch", docking_at=grasp.left_at)
+    joined = replace(path, stops=(grasp, wiped))
+    assert place_name(joined, grasp.left_at) == "touch of target"
+    assert place_name(joined, grasp.left_at - 1) == "grasp of block"
