@@ -10,7 +10,7 @@ from assistant.dialogue import effects as wanted
 from assistant.dialogue.state import Dialogue
 from assistant.errors import BadInput, NothingLearned
 from assistant.files.library import Library
-from assistant.model.motion import Refusal
+from assistant.model.motion import ArmReport, Refusal
 from assistant.session import halting, keeping
 from assistant.session.equipment import DrivenHand, Equipment
 from assistant.session.happenings import Store
@@ -83,10 +83,10 @@ def _move(place: Workplace, dialogue: Dialogue, effect: Motion) -> events.Event 
         return None
     if isinstance(effect, wanted.Check):
         return mover.check(effect)
-    refusal: Refusal | None = None
+    refusal: Refusal | ArmReport | None = None
     match effect:
         case wanted.Move():
-            mover.move(effect)
+            refusal = mover.move(effect)
         case wanted.Replay():
             refusal = mover.replay(effect)
         case wanted.GoOn() if mover.under_way:
@@ -105,6 +105,8 @@ def _move(place: Workplace, dialogue: Dialogue, effect: Motion) -> events.Event 
             mover.halt(effect.why)
         case _:
             assert_never(effect)
+    if isinstance(refusal, ArmReport):
+        return events.ArmReported(refusal)
     return None if refusal is None else events.Checked(mover.setup, refusal)
 
 

@@ -18,6 +18,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from assistant.session import paths
+from assistant.session.carrying import unfit
 from assistant.session.conditions import Expected, Surroundings, expectations
 from assistant.session.equipment import Equipment
 from assistant.session.heeding import Heeding
@@ -162,15 +163,21 @@ class Mover:
         found = self._equipment.planner.plan(rest, effect.scene, effect.setup, look)
         return Planned(task, order, whole, found)
 
-    def move(self, effect: wanted.Move) -> None:
-        """Begin what was checked last; unless it is the rest of a run, all is put in place."""
+    def move(self, effect: wanted.Move) -> ArmReport | None:
+        """Begin what was checked last; unless it is the rest of a run, all is put in place.
+
+        Of a rest that cannot be done with what is in the hand, why is returned.
+        """
         run, self._checked = self._checked, None
         if run is None:
-            return
+            return None
         if not effect.anew:
             self.arrange(run.scene, run.setup)
+        elif (unfit := self._unfit(run.path)) is not None:
+            return unfit
         self._pauses = effect.pause_before_primitives
         self._begin(run, anew=effect.anew)
+        return None
 
     def replay(self, effect: wanted.Replay) -> Refusal | None:
         """Carry out a demonstration as it was shown, checked like any motion."""
@@ -183,7 +190,7 @@ class Mover:
         self._begin(Run(self.scene, self.setup, path, found), anew=False)
         return None
 
-    def go_on(self, *, anew: bool) -> Refusal | None:
+    def go_on(self, *, anew: bool) -> Refusal | ArmReport | None:
         """Continue after an announcement, or (`anew`) after a halt from where the arm is.
 
         What was halted while it was being announced is not moved by the end of the announcement.
@@ -191,6 +198,8 @@ class Mover:
         self._waiting = False
         if not anew or self._run is None:
             return None
+        if (unfit := self._unfit(self._run.path)) is not None:
+            return unfit
         look = self.look
         rest = paths.rest_of(self._run.path, look, self._primitive_at, self.scene)
         found = self._equipment.planner.plan(rest, self.scene, self.setup, look)
@@ -198,6 +207,11 @@ class Mover:
             return found
         self._begin(replace(self._run, motion=found), anew=True)
         return None
+
+    def _unfit(self, path: HandPath) -> ArmReport | None:
+        look = self.look
+        start = paths.goes_on_at(path, look, self._primitive_at, self.scene)
+        return unfit(path, start, look, self._primitive_at, self.run_s)
 
     def halt(self, why: str) -> None:
         """Brake now; what was started, or was to be started then, is discarded."""

@@ -97,7 +97,7 @@ def rest_of(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> H
         The primitive it was in; -1 for none.
     scene : Scene
     """
-    start = _nearest(path, look, primitive_at, scene)
+    start = goes_on_at(path, look, primitive_at, scene)
     lead = _straight(look.hand, path.path[start])
     lead_t = STEP_S * np.arange(len(lead), dtype=float)
     t_s = np.concatenate([lead_t, lead_t[-1] + STEP_S + path.t_s[start:] - path.t_s[start]])
@@ -110,7 +110,8 @@ def rest_of(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> H
     )
 
 
-def _nearest(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> int:
+def goes_on_at(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> int:
+    """Return the sample of a path from which what is left of it is done."""
     apart = distance_between(path.path, look.hand) + 0.1 * angle_between(path.path, look.hand)
     if primitive_at >= 0:
         apart = np.where(path.primitive_at == primitive_at, apart, np.inf)
@@ -118,6 +119,8 @@ def _nearest(path: HandPath, look: ArmLook, primitive_at: int, scene: Scene) -> 
         # A body in the hand was grasped already; one on the table has to be grasped yet.
         if stop.kind == "grasp" and stop.object == look.held:
             apart[: stop.at + 1] = np.inf
+        if path.primitive_at[stop.at] == primitive_at and _lies_there(path, stop, look, scene):
+            apart[stop.at + 1 :] = np.inf
         # What was let go where it belongs is not taken there again: the ways to and from a
         # place lie so close that the nearest sample may be one before.
         if path.primitive_at[stop.at] == primitive_at and _let_go(path, stop, look, scene):
@@ -133,8 +136,18 @@ def _opened(path: HandPath, stop: HandStop, look: ArmLook) -> bool:
 
 def _let_go(path: HandPath, stop: HandStop, look: ArmLook, scene: Scene) -> bool:
     """Return whether a body is out of the hand and where a release leaves it."""
+    return stop.kind == "release" and _beside(path, stop, look, scene)
+
+
+def _lies_there(path: HandPath, stop: HandStop, look: ArmLook, scene: Scene) -> bool:
+    """Return whether a body is out of the hand and still where it is to be grasped."""
+    return stop.kind == "grasp" and _beside(path, stop, look, scene)
+
+
+def _beside(path: HandPath, stop: HandStop, look: ArmLook, scene: Scene) -> bool:
+    """Return whether a body is out of the hand, where the hand acts on it at a stop."""
     body, pose = scene.bodies.get(stop.object), look.bodies.get(stop.object)
-    if stop.kind != "release" or body is None or pose is None or look.held == stop.object:
+    if body is None or pose is None or look.held == stop.object:
         return False
     left = path.path[stop.at]
     return float(distance_between(compose(pose, body.hand_in_body), left)) < NEAR_GRASP_M

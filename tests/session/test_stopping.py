@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from assistant.model.task import primitives
 from assistant.session import halting
 from assistant.session.loop import Session
 from assistant.session.opening import resume_session
@@ -129,3 +130,29 @@ def test_what_was_let_go_is_not_let_go_again_after_a_halt(
     assert "done.run" in heard.topics
     assert not any(topic.startswith("stopped") for topic in heard.topics)
     assert session.dialogue.runs[-1].missing == ()
+
+
+def test_what_was_let_go_by_a_word_is_not_gone_on_without(moving: tuple[Session, Heard]) -> None:
+    session, heard = moving
+    lift = [leaf.name for leaf in primitives(session.dialogue.known.task.tree)].index(
+        "move up object"
+    )
+    while session.mover._primitive_at < lift or session.mover.look.hand[2] < 0.42:
+        assert session.moving
+        session.tick()
+    for words in ("stop", "open the hand", "yes"):
+        session.hear(words)
+        session.rest()
+    assert not session.mover.look.held
+    where = session.mover.look.hand.copy()
+    for way in ("start", "slower"):
+        session.hear(way)
+        if way == "slower":
+            # What was corrected since is checked anew, and held back for the same reason.
+            session.hear("start")
+        session.rest()
+        assert heard.topics[-1] == "stopped.unmet.held_anew"
+        assert (session.mover.look.hand == where).all()
+    session.hear("again")
+    session.rest()
+    assert heard.topics[-2:] == ["done.run", "ask.satisfied"]
