@@ -268,7 +268,7 @@ def test_a_step_halted_half_way_is_gone_on_with(tmp_path: Path) -> None:
     session.close()
 
 
-def test_a_body_taken_out_of_the_hand_is_missed_at_the_next_step(tmp_path: Path) -> None:
+def test_a_body_taken_out_of_the_hand_is_missed_before_it_goes_on(tmp_path: Path) -> None:
     session, heard = practicing(tmp_path, learned("pick_and_place"))
     while session.moving and (
         session.dialogue.run is None or session.dialogue.run.primitive_at < 2
@@ -280,10 +280,10 @@ def test_a_body_taken_out_of_the_hand_is_missed_at_the_next_step(tmp_path: Path)
         session.rest()
     assert session.mover.look.held == ""
     session.hear("start")
-    session.rest()
+    assert not session.moving
     session.close()
-    assert heard.topics[-1] == "stopped.unmet_before.held"
-    assert "but the block is not in my hand" in heard.lines[-1][1]
+    assert heard.topics[-1] == "stopped.unmet.held_anew"
+    assert "the block is not in my hand" in heard.lines[-1][1]
 
 
 def test_a_body_in_the_hand_of_a_halted_run_is_known(tmp_path: Path) -> None:
