@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from assistant.cli import VERBS
+from assistant.cli.running import VERBS
 from assistant.cli.adapters import make_equipment
 from assistant.files.shipped import shipped
 from assistant.files.transcripts import read_transcript

@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.errors import BadInput
-from assistant.model.scene import Scene
-from assistant.model.setup import Setup
-from assistant.model.task import Task
-from assistant.model.transcript import Demonstrate
 
 if TYPE_CHECKING:
+    from assistant.model.scene import Scene
+    from assistant.model.setup import Setup
+    from assistant.model.task import Task
+    from assistant.model.transcript import Demonstrate
     from assistant.ports import Arm, Hand
     from assistant.session.equipment import Equipment
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,7 @@ from typing import Any
 from assistant.cli import BAD_INPUT, DONE
 from assistant.errors import BadInput, Problem
 
+ENDINGS = (".yaml", ".yml", ".csv")
 KINDS = ("task", "setup", "scene", "demonstration", "transcript")
 
 
@@ -48,10 +50,10 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _files(path: Path) -> list[Path]:
-    """Return a file, or every file of ours in a folder and below."""
-    if not path.is_dir():
+    """Return a file, or every file of ours in a folder and below; a folder without any itself."""
+    if not os.path.isdir(path):
         return [path]
-    return sorted(each for each in path.rglob("*") if each.suffix in (".yaml", ".csv"))
+    return sorted(each for each in path.rglob("*") if each.suffix in ENDINGS) or [path]
 
 
 def _checked(path: Path) -> dict[str, Any]:
@@ -59,6 +61,9 @@ def _checked(path: Path) -> dict[str, Any]:
 
     result: dict[str, Any] = {"file": str(path), "kind": None, "problems": [], "warnings": []}
     try:
+        if os.path.isdir(path):
+            right = f"name a folder you may read, with {' or '.join(ENDINGS)} files in it"
+            raise BadInput.one(str(path), "no file of ours is in this folder", right)
         known = read_known(path)
     except BadInput as error:
         return {**result, "problems": [_fields(each) for each in error.problems]}

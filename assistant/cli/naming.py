@@ -44,7 +44,11 @@ def learned_task(told: Path | str) -> Task:
     from assistant.files.tasks import read_task
 
     path = task_path(told)
-    task = read_task(path)
+    return must_be_learned(read_task(path), path)
+
+
+def must_be_learned(task: Task, path: Path) -> Task:
+    """Return the task of a file, or raise `BadInput` if nothing was learned for it."""
     if task.learned is None:
         what, right = "nothing has been learned for this task yet", "show it first: assistant learn"
         raise BadInput.one(f"{path}:1", what, right)

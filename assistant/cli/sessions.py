@@ -34,8 +34,8 @@ def run(args: argparse.Namespace) -> int:
         print(f"no sessions yet in {folder}; begin one: assistant teach")
     for past in found:
         when = datetime.fromtimestamp(past.changed_s).strftime("%Y-%m-%d %H:%M")
-        state = past.trouble or f"{past.lines:3d} lines  {_short(past.last)}"
-        print(f"{past.name:>4}  {when}  {state}")
+        lines = f"{past.lines:3d} line{' ' if past.lines == 1 else 's'}"
+        print(f"{past.name:>4}  {when}  {past.trouble or f'{lines}  {_short(past.last)}'}".rstrip())
     return DONE
 
 

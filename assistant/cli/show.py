@@ -39,19 +39,20 @@ def run(args: argparse.Namespace) -> int:
     known = read_known(path)
     for warning in known.warnings:
         print(f"warning: {warning}", file=sys.stderr)
+    figures = () if args.figures is None else _draw(known.value, path, args.figures)
     if args.json:
         print(json.dumps(plain_values(known.value, known.recording)))
     else:
         from assistant.shells.telling import terminal, view
 
         terminal().print(view(known.value))
-    if args.figures:
-        for drawn in _draw(known.value, args.figures):
-            print(f"wrote {drawn}", file=sys.stderr)
+    for drawn in figures:
+        print(f"wrote {drawn}", file=sys.stderr)
     return DONE
 
 
-def _draw(value: Value, folder: Path) -> tuple[Path, ...]:
+def _draw(value: Value, path: Path, folder: Path) -> tuple[Path, ...]:
+    from assistant.cli.naming import must_be_learned
     from assistant.model.demonstration import Demonstration, Recording
     from assistant.model.task import Task
     from assistant.shells.figures import write_figures
@@ -59,7 +60,7 @@ def _draw(value: Value, folder: Path) -> tuple[Path, ...]:
 
     match value:
         case Task():
-            return write_figures(value, folder)
+            return write_figures(must_be_learned(value, path), folder)
         case Demonstration():
             spoken = (*value.cues, *value.key_states)
             return write_recording_figure(value.recording, spoken, folder)

@@ -19,6 +19,8 @@ from assistant.files.writing import cannot_write, write_text
 from assistant.model.task import Task
 
 MOST_EARLIER = 20
+MOST_LETTERS, MOST_BYTES = 100, 200
+"""Of a task's name in that of its file: the system takes 255 bytes, with all endings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,8 +35,9 @@ class Library:
 
     def path(self, name: str) -> Path:
         """Return the file of a kept task; the name is made fit for a file."""
-        fit = re.sub(r"[^\w-]+", "_", name.strip().lower()).strip("_")[:100] or "task"
-        return self.folder / f"{fit}.yaml"
+        fit = re.sub(r"[^\w-]+", "_", name.strip().lower()).strip("_")[:MOST_LETTERS]
+        short = fit.encode("utf-8", errors="replace")[:MOST_BYTES].decode("utf-8", errors="ignore")
+        return self.folder / f"{short or 'task'}.yaml"
 
     def name_of(self, path: Path) -> str:
         """Return the name of the kept task whose file this is, or nothing."""

@@ -124,10 +124,13 @@ def begin_journal(transcript: Transcript, path: Path) -> None:
     """Write the head of a new journal and the steps it has; the file must not exist yet."""
     try:
         with path.open("xb", buffering=0) as file:
-            head = write({**transcript_values(transcript), "steps": []}).replace(
-                "steps: []", "steps:"
-            )
-            _flush(file, head + "".join(_item(step) for step in transcript.steps))
+            head = write({**transcript_values(transcript), "steps": []}).removesuffix(" []\n")
+            try:
+                _flush(file, f"{head}\n{''.join(map(_item, transcript.steps))}")
+            except OSError:
+                # A journal without a head cannot be resumed: it would only hide those that can.
+                path.unlink()
+                raise
     except FileExistsError as error:
         raise BadInput.one(str(path), "a journal of this name exists", "another name") from error
     except OSError as error:

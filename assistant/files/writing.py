@@ -9,6 +9,9 @@ from pathlib import Path
 
 from assistant.errors import BadInput
 
+MOST_LETTERS = 40
+"""Of a name that others are made from: a letter takes up to four of the 255 bytes of a name."""
+
 
 def write_text(path: Path, text: str) -> None:
     """Write a file at once: it holds the old text or the new one, never half of either.
@@ -42,7 +45,7 @@ def cannot_write(path: Path, error: OSError) -> BadInput:
 
 
 def _replace(path: Path, data: bytes) -> None:
-    handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:100]}.")
+    handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:MOST_LETTERS]}.")
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(data)

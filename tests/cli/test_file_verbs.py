@@ -104,6 +104,30 @@ def test_check_takes_folders_and_gives_schemas(capsys: pytest.CaptureFixture[str
     assert run(capsys, "check")[0] == 2
 
 
+def test_check_says_of_a_folder_that_nothing_in_it_is_ours(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    Path("none").mkdir()
+    Path("none", "notes.txt").write_text("format: task/1")
+    status, out, err = run(capsys, "check", "none")
+    assert (status, out) == (2, "")
+    assert err.startswith("none: no file of ours is in this folder; name a folder")
+    Path("none", "t.yml").write_text("format: task/1\nname: a\ntree: {subtask: a}\n")
+    assert run(capsys, "check", "none")[0] == 0
+
+
+def test_figures_of_what_was_never_learned_are_bad_input(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    write_task(examples.task(), Path("t.yaml"))
+    status, out, err = run(capsys, "show", "t.yaml", "--figures", "figures")
+    assert (status, out) == (2, "")
+    assert err == (
+        "t.yaml:1: nothing has been learned for this task yet; show it first: assistant learn\n"
+    )
+    assert not Path("figures").exists()
+
+
 def test_show_a_lesson(capsys: pytest.CaptureFixture[str]) -> None:
     write_task(examples.task(examples.lesson()), Path("t.yaml"))
     status, out, _ = run(capsys, "show", "t.yaml")

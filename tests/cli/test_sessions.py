@@ -20,7 +20,7 @@ def test_sessions_are_listed(
     session.hear("pick and place")
     session.close()
     assert main(["sessions"]) == 0
-    assert "1 lines" in capsys.readouterr().out
+    assert " 1 line " in capsys.readouterr().out
     assert main(["sessions", "--json"]) == 0
     (past,) = json.loads(capsys.readouterr().out)["sessions"]
     assert past["name"] == "1"

@@ -30,6 +30,16 @@ def test_a_kept_task_comes_back_under_its_name(kept: Library) -> None:
     assert same(kept.load("pick_place"), task(lesson()))
 
 
+def test_a_long_name_in_any_script_is_kept(kept: Library) -> None:
+    name = "積み木を赤い台の上に置く" * 20
+    assert name not in kept
+    kept.save(name, task())
+    kept.save(name, replace(task(), goal="x"), overwrite=True)
+    assert name in kept
+    assert len(kept.earlier(name)) == 1
+    write_text(kept.folder / ("積" * 80), "a name as long as the system takes")
+
+
 def test_the_file_of_a_kept_task_tells_its_name_and_no_other_file_does(
     kept: Library, tmp_path: Path
 ) -> None:
@@ -129,6 +139,14 @@ def test_a_home_folder_nobody_has_is_told(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.delenv("ASSISTANT_HOME")
     monkeypatch.setattr("assistant.files.home.user_data_path", lambda *_: Path("~/.local/share"))
     with pytest.raises(BadInput, match="is not set, and you have no home folder; set it"):
+        home()
+
+
+def test_a_home_that_is_a_file_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = tmp_path / "file"
+    path.write_text("")
+    monkeypatch.setenv("ASSISTANT_HOME", str(path))
+    with pytest.raises(BadInput, match=f"ASSISTANT_HOME: {path} is no folder; name a folder"):
         home()
 
 

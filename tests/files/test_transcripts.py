@@ -252,3 +252,23 @@ def test_a_full_disk_leaves_no_half_step(tmp_path: Path, monkeypatch: pytest.Mon
     with pytest.raises(BadInput, match=r"cannot be written \(No space left on device\)"):
         append_step(path, Note("two"))
     assert path.read_bytes() == before
+
+
+def test_a_full_disk_leaves_no_journal_without_a_head(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(handle: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(os, "fsync", full)
+    with pytest.raises(BadInput, match=r"cannot be written \(No space left on device\)"):
+        begin_journal(Transcript("journal"), tmp_path / "j.yaml")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_journal_may_have_any_title(tmp_path: Path) -> None:
+    path = tmp_path / "j.yaml"
+    begin_journal(Transcript("steps: []"), path)
+    append_step(path, Note("one"))
+    assert read_transcript(path).title == "steps: []"
+    assert read_transcript(path).steps == (Note("one"),)
