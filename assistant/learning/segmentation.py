@@ -14,9 +14,10 @@ from assistant.learning.confidence import all_right
 from assistant.learning.points import episodes, points, signal_votes
 from assistant.learning.questions import questions
 from assistant.learning.reading import Understood, read, read_cuts
+from assistant.learning.showing import shown_part
 from assistant.learning.smoothing import smooth
 from assistant.learning.votes import overall
-from assistant.model.demonstration import Demonstration
+from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import Episode, Segmentation
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Task, primitives
@@ -57,6 +58,9 @@ def segment(
         that carries something.
     """
     settings = settings or SegmentationSettings()
+    whole = demonstration.recording
+    if cuts_s is None and settings.method == "decode":
+        demonstration = shown_part(demonstration, settings)
     evidence = gathered(demonstration, task, settings)
     if cuts_s is None and settings.method == "paper":
         from assistant.learning.paper_method import read_as_printed
@@ -67,7 +71,8 @@ def segment(
     else:
         understood = read_cuts(demonstration, task, evidence, settings, _inside(cuts_s, evidence))
     told = cuts_s is not None
-    return _told(demonstration, task, evidence, understood, settings, assigned, told=told)
+    found = _told(demonstration, task, evidence, understood, settings, assigned, told=told)
+    return replace(found, episodes=_of_all(whole, found.episodes))
 
 
 def gathered(demonstration: Demonstration, task: Task, settings: SegmentationSettings) -> Evidence:
@@ -118,6 +123,13 @@ def _inside(cuts_s: Sequence[float], evidence: Evidence) -> list[float]:
             f"cuts lie between {t_s[0]:.2f} and {t_s[-1]:.2f} s",
         )
     return sorted(set(cuts_s))
+
+
+def _of_all(whole: Recording, found: tuple[Episode, ...]) -> tuple[Episode, ...]:
+    """Return episodes with the rests before the first and after the last as part of them."""
+    first = replace(found[0], from_s=float(whole.t_s[0]))
+    found = (first, *found[1:])
+    return (*found[:-1], replace(found[-1], to_s=float(whole.t_s[-1])))
 
 
 def _told(

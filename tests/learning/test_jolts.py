@@ -31,8 +31,12 @@ def strongest(recording: Recording, count: int) -> list[float]:
     return sorted(float(at) for at in found[np.argsort(-found[:, 1])][:count, 0])
 
 
-def test_gripping_and_letting_go_are_seen_in_the_wrist() -> None:
-    assert strongest(carried(), 2) == [pytest.approx(10.2, abs=0.5), pytest.approx(20.0, abs=0.3)]
+@pytest.mark.parametrize("step_s", [0.05, 0.1, 0.2])
+def test_gripping_and_letting_go_are_seen_in_the_wrist(step_s: float) -> None:
+    assert strongest(carried(step_s=step_s), 2) == [
+        pytest.approx(10.2, abs=0.5),
+        pytest.approx(20.0, abs=0.3),
+    ]
 
 
 def test_letting_go_is_told_by_the_hand_that_draws_back() -> None:

@@ -47,7 +47,7 @@ class JoltSettings:
     """In local medians of the turning rate."""
     window_s: float = 1.5
     width_s: float = 0.05
-    longest_step_s: float = 0.1
+    longest_step_s: float = 0.25
     """Recordings with longer steps cannot show a jolt."""
     most_samples: int = 20_000
     open_after_s: float = 0.15
