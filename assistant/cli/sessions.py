@@ -22,10 +22,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """List them."""
-    from assistant.files.home import home
+    from assistant.files.home import home_to_look_into
     from assistant.session.past import past_sessions
 
-    folder = home() / "sessions"
+    folder = home_to_look_into() / "sessions"
     found = past_sessions(folder)
     if args.json:
         print(json.dumps({"sessions": [asdict(past) for past in found]}))

@@ -28,8 +28,10 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(args: argparse.Namespace) -> int:
     """Do what was asked with the tasks kept."""
+    from assistant.files.home import home_to_look_into
     from assistant.files.library import library
 
+    home_to_look_into()
     kept = library()
     if args.do == "list":
         _list(kept, as_json=args.json)

@@ -18,8 +18,8 @@ def home() -> Path:
     Raises
     ------
     BadInput
-        If ``ASSISTANT_HOME`` is a file or in the home folder of somebody unknown, or if
-        neither it nor the home folder of the user is known.
+        If ``ASSISTANT_HOME`` is in the home folder of somebody unknown, or if neither it nor
+        the home folder of the user is known.
     """
     told = os.environ.get(VARIABLE, "")
     try:
@@ -28,6 +28,15 @@ def home() -> Path:
         raise _unknown(told) from error
     if not told and found.parts[:1] == ("~",):
         raise _unknown(told)
+    return found
+
+
+def home_to_look_into() -> Path:
+    """Return `home`, or raise `BadInput` if what is there is no folder.
+
+    For listing what is kept: a file holds nothing, but saying so would mislead.
+    """
+    found = home()
     if os.path.exists(found) and not os.path.isdir(found):
         raise BadInput.one(VARIABLE, f"{found} is no folder", "name a folder")
     return found

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from assistant.errors import BadInput
-from assistant.files.home import home
+from assistant.files.home import home, home_to_look_into
 from assistant.files.library import MOST_EARLIER, Library, library
 from assistant.files.writing import write_text
 from tests.files.examples import lesson, task
@@ -147,7 +147,9 @@ def test_a_home_that_is_a_file_is_told(tmp_path: Path, monkeypatch: pytest.Monke
     path.write_text("")
     monkeypatch.setenv("ASSISTANT_HOME", str(path))
     with pytest.raises(BadInput, match=f"ASSISTANT_HOME: {path} is no folder; name a folder"):
-        home()
+        home_to_look_into()
+    monkeypatch.setenv("ASSISTANT_HOME", str(tmp_path / "not there yet"))
+    assert home_to_look_into() == home()
 
 
 def test_a_task_is_written_down_beside_the_kept_ones(kept: Library) -> None:
