@@ -12,9 +12,10 @@ from assistant.files.arrays import write_npz
 from assistant.files.demonstrations import demonstration_text
 from assistant.files.graphs import behavior_tree, dot
 from assistant.files.kinds import Known, Value
-from assistant.files.markdown import markdown
+from assistant.files.markdown import play
 from assistant.files.plain import plain_values
 from assistant.files.recordings import recording_text
+from assistant.files.records import record
 from assistant.files.scenes import scene_text
 from assistant.files.setups import setup_text
 from assistant.files.tasks import task_text
@@ -66,7 +67,7 @@ def _text(value: Value, ending: str, recording: str) -> str:
     if isinstance(value, Task) and ending in _OF_TASKS:
         return _OF_TASKS[ending](value)
     if isinstance(value, Task | Transcript) and ending == ".md":
-        return markdown(value)
+        return record(value) if isinstance(value, Task) else play(value)
     match value:
         case Task():
             return task_text(value)

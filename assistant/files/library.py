@@ -13,7 +13,7 @@ from pathlib import Path
 
 from assistant.errors import BadInput
 from assistant.files.home import home
-from assistant.files.markdown import markdown
+from assistant.files.records import record
 from assistant.files.tasks import read_task, task_text
 from assistant.files.writing import cannot_write, write_text
 from assistant.model.task import Task
@@ -79,14 +79,14 @@ class Library:
         write_text(path, task_text(task))
         return path
 
-    def write_record(self, name: str, task: Task) -> Path:
+    def write_record(self, name: str, task: Task, language: str = "english") -> Path:
         """Write a task down for people, in Markdown beside the kept tasks, and return the file."""
         path = self.path(name).with_suffix(".md")
         try:
             self.folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise cannot_write(self.folder, error) from error
-        write_text(path, markdown(task))
+        write_text(path, record(task, language))
         return path
 
     def earlier(self, name: str) -> tuple[Path, ...]:

@@ -70,7 +70,7 @@ def do(place: Workplace, dialogue: Dialogue, effect: Work | Motion) -> events.Ev
         case wanted.Discard():
             return keeping.discard(place.library, effect.name)
         case wanted.WriteDown():
-            return keeping.write_down(place.library, effect.task, effect.name)
+            return keeping.write_down(place.library, effect.task, effect.name, dialogue.language)
         case wanted.Arrange():
             return _arrange(place, dialogue, effect)
         case _:

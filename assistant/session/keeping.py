@@ -31,10 +31,10 @@ def discard(library: Library, name: str) -> Kept:
     return Kept(name, discarded=True)
 
 
-def write_down(library: Library, task: Task, name: str) -> Kept:
-    """Write the record of a task beside the kept ones."""
+def write_down(library: Library, task: Task, name: str, language: str) -> Kept:
+    """Write the record of a task beside the kept ones, in a language of the phrasebooks."""
     try:
-        return Kept(name, record=str(library.write_record(name, task)))
+        return Kept(name, record=str(library.write_record(name, task, language)))
     except BadInput as error:
         return Kept(name, str(error.problems[0]), record="")
 
