@@ -12,8 +12,9 @@ from assistant.dialogue.reporting import refusal_line
 from assistant.dialogue.state import Dialogue, Ran, Ready, Running
 from assistant.dialogue.turn import Turn, line, node_or_blank
 from assistant.dialogue.whereabouts import doing_next, doing_now, pace, why_asked, why_still
+from assistant.dialogue.why_cut import why_cut
 from assistant.language.hints import hints, matter, mentions
-from assistant.model.lesson import Episode, Lesson, SegmentationPoint
+from assistant.model.lesson import Episode, Lesson
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
 from assistant.model.teacher_acts import Explain
@@ -77,7 +78,7 @@ def _from_lesson(
     if topic == "sure":
         return _how_sure_of(dialogue, lesson, named) if named else _how_sure(lesson)
     if topic == "cut":
-        return _cut(dialogue, lesson, named, text)
+        return why_cut(dialogue, lesson, named, text)
     if topic in ("assignment", "refusal") or named:
         return _assignment(dialogue, lesson, named, text)
     if topic == "learned":
@@ -106,31 +107,6 @@ def _ordinal(dialogue: Dialogue, text: str) -> int | None:
     ordinals: dict[str, int] = hints("ordinals", dialogue.language)
     found = (ordinals[word] for word in re.findall(r"[^\W\d_]+", text.lower()) if word in ordinals)
     return next(found, None)
-
-
-def _cut(dialogue: Dialogue, lesson: Lesson, named: str, text: str) -> RobotAct:
-    points = [point for point in lesson.segmentation.points if point.kept]
-    at_s = _number(text)
-    if named:
-        ends = [one.to_s for one in lesson.segmentation.episodes if one.primitive == named]
-        at_s = ends[-1] if ends else at_s
-    if not points:
-        return line("explain", "no_cuts")
-    if at_s is None:
-        cuts = [_point(point) for point in points if not point.internal]
-        return line("explain", "cuts", cuts=cuts, count=len(cuts))
-    wanted = at_s
-    nearest = min(points, key=lambda point: abs(point.at_s - wanted))
-    return line("explain", "cut", about=_about(dialogue, named), **_point(nearest))
-
-
-def _point(point: SegmentationPoint) -> dict[str, Any]:
-    voters = sorted(point.votes, key=lambda name: -point.votes[name])
-    return {
-        "at_s": round(point.at_s, 2),
-        "confidence": round(point.confidence, 2),
-        "signals": [name for name in voters if point.votes[name] > 0.01],
-    }
 
 
 def _about(dialogue: Dialogue, name: str) -> About | None:
