@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from assistant.dialogue.adding import plan_corrected
 from assistant.dialogue.asking import ask, proceed, tell
+from assistant.dialogue.cut_words import recut
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted
@@ -203,6 +204,7 @@ def _asks(dialogue: Dialogue, asked: str) -> bool:
 _REPLIES = (
     _person,
     _courtesy,
+    recut,
     plan_corrected,
     called,
     added,

@@ -113,7 +113,7 @@ def review_question(known: Knowledge, open_question: Question | None) -> RobotAc
 def unsure_ends(known: Knowledge) -> list[str]:
     """Return the names of the steps whose end the robot is not sure of."""
     found = known.lesson.segmentation.questions if known.lesson is not None else ()
-    return [one.about for one in found if one.reason == UNSURE]
+    return [one.about for one in found if one.reason == UNSURE and one.about]
 
 
 def index_of(known: Knowledge, name: str) -> Index:

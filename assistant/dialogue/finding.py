@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields, replace
 from typing import Any
 
 from assistant.dialogue.asking import ask, settle, tell
 from assistant.dialogue.introduction import all_understood, with_roles
 from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.referring import with_names
 from assistant.dialogue.sketch import (
     Sketch,
     at,
@@ -20,9 +21,19 @@ from assistant.dialogue.state import Dialogue, Pending
 from assistant.dialogue.turn import Turn, changed, line
 from assistant.language.actions import read_action
 from assistant.language.hints import hints
+from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
 from assistant.model.task import Action, Index, primitives
 from assistant.model.teacher_acts import TeacherAct, Where
+
+_ABOUT_ONE = (
+    acts.Split,
+    acts.RemoveSubtask,
+    acts.Optional,
+    acts.Required,
+    acts.MoveCut,
+    acts.Assign,
+)
 
 
 def find(known: Knowledge, text: str) -> Index | None:
@@ -92,6 +103,34 @@ def with_name(act: TeacherAct, old: str, new: str) -> TeacherAct:
         elif value == old:
             told[field.name] = new
     return replace(act, **told)
+
+
+def fully_named(
+    dialogue: Dialogue, meant: Iterable[TeacherAct], text: str
+) -> tuple[TeacherAct, ...]:
+    """Return acts about the one step whose whole name was said, whatever it was taken for.
+
+    "Split move up" is about "move up", not about "move to the target", which shares a word.
+    """
+    said = with_names(dialogue, text)
+    return tuple(_named_in_full(dialogue, act, said) for act in meant)
+
+
+def _named_in_full(dialogue: Dialogue, act: TeacherAct, text: str) -> TeacherAct:
+    if not isinstance(act, _ABOUT_ONE):
+        return act
+    known = dialogue.known
+    said = [one for one in names(known.root) if one and _stands(one, text)]
+    whole = [one for one in said if not any(one != more and _stands(one, more) for more in said)]
+    index = find(known, act.subtask)
+    taken = act.subtask if index is None else name_at(known, index)
+    if len(whole) != 1 or taken in said:
+        return act
+    return with_name(act, act.subtask, whole[0])
+
+
+def _stands(name: str, text: str) -> bool:
+    return f" {_plain(name)} " in f" {_plain(text)} "
 
 
 def edited(

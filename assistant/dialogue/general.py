@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.dialogue import keeping, practicing, reviewing, structure
+from assistant.dialogue import keeping, practicing, recutting, structure
 from assistant.dialogue.asking import tell
 from assistant.dialogue.changing import adjust_last, correct
 from assistant.dialogue.finding import find, name_at, unclear
@@ -80,8 +80,8 @@ def _recut(dialogue: Dialogue, act: acts.MoveCut | acts.Assign) -> Turn:
     index = find(dialogue.known, act.subtask)
     if index is None:
         return unclear(dialogue, act.subtask)
-    name = name_at(dialogue.known, index)
     at_rest = replace(dialogue, arm="rest")
     if isinstance(act, acts.MoveCut):
-        return reviewing.move_cut(at_rest, replace(act, subtask=name))
-    return reviewing.assign(at_rest, act, name)
+        named = replace(act, subtask=name_at(dialogue.known, index))
+        return recutting.move_cut(at_rest, named)
+    return recutting.assign(at_rest, act, index)

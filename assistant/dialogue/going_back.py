@@ -12,6 +12,7 @@ from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.reviewing import read_back
 from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing, Ready, Reviewing
 from assistant.dialogue.turn import Turn, first, line, say
+from assistant.model.lesson import Episode, Question
 from assistant.model.robot_acts import RobotAct
 from assistant.model.teacher_acts import Stage
 
@@ -47,8 +48,13 @@ def go_back(dialogue: Dialogue, stage: Stage, *, step: str = "") -> Turn:
     return first(halting, ask(replace(confirmed, known=known, state=Ready())))
 
 
-def resettled(before: Knowledge, dialogue: Dialogue, said: RobotAct) -> Turn:
-    """Go where knowledge that was taken back or brought again belongs."""
+def resettled(
+    before: Knowledge, dialogue: Dialogue, said: RobotAct, questions: tuple[Question, ...] = ()
+) -> Turn:
+    """Go where knowledge that was taken back or brought again belongs.
+
+    `questions` are those of learning that were open when it was so.
+    """
     known = dialogue.known
     moved = arrange_if_changed(before, dialogue)[1]
     told = (*say(dialogue, said)[1], *moved)
@@ -58,8 +64,24 @@ def resettled(before: Knowledge, dialogue: Dialogue, said: RobotAct) -> Turn:
         return first(told, proceed(going))
     if known.lesson is None:
         return first(told, ask(replace(dialogue, state=AwaitingShow(), arm="rest")))
-    if isinstance(dialogue.state, AwaitingShow) or not known.reviewed:
-        return first(told, introduced(replace(dialogue, arm="rest")))
-    if isinstance(dialogue.state, Reviewing):
-        return first(told, introduced(dialogue))
+    if isinstance(dialogue.state, AwaitingShow | Reviewing) or not known.reviewed:
+        rested = replace(dialogue, arm="rest")
+        return first(told, _gone_through_again(before, rested, questions))
     return first(told, ask(dialogue))
+
+
+def _gone_through_again(
+    before: Knowledge, dialogue: Dialogue, questions: tuple[Question, ...]
+) -> Turn:
+    """Ask what was open, and tell the parts of the demonstration where they are others now."""
+    turn = introduced(dialogue)
+    if not isinstance(turn[0].state, Reviewing):
+        return turn
+    reviewing = replace(turn[0], state=Reviewing(questions))
+    if _parts(before) == _parts(dialogue.known):
+        return ask(reviewing)
+    return tell(reviewing, read_back(dialogue.known))
+
+
+def _parts(known: Knowledge) -> tuple[Episode, ...]:
+    return () if known.lesson is None else known.lesson.segmentation.episodes

@@ -153,4 +153,5 @@ def split(dialogue: Dialogue, name: str) -> Turn:
     # A name that tells one motion would at once be read as one again: two parts are opened.
     opened = with_parts(replace(node, action=None), (Sketch(), Sketch()))
     root = put(known.root, index, opened)
-    return edited(dialogue, "split", root, line("done", "split", name=node.name))
+    topic = "split" if known.lesson is None else "split_look"
+    return edited(dialogue, "split", root, line("done", topic, name=node.name))

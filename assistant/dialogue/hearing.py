@@ -12,7 +12,7 @@ from assistant.dialogue.doubting import doubted, is_guess, misunderstood, withou
 from assistant.dialogue.effects import Effect
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain
-from assistant.dialogue.finding import with_name
+from assistant.dialogue.finding import fully_named, with_name
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.general import general
 from assistant.dialogue.grounding import names_known, two_ways
@@ -71,7 +71,7 @@ def hear(dialogue: Dialogue, event: Heard) -> Turn:
     """Answer an utterance."""
     if isinstance(dialogue.state, Opening | Closed):
         return dialogue, ()
-    meant = in_order(event.understanding.acts)
+    meant = fully_named(dialogue, in_order(event.understanding.acts), event.text)
     words = Words(event.text.strip(), event.by_voice)
     if any(isinstance(act, acts.Stop) for act in meant):
         return _stop(dialogue)

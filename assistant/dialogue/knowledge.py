@@ -29,6 +29,8 @@ class Knowledge:
         Objects whose shape and size the teacher told.
     learned_root : Sketch or None
         The tree that the lesson was learned with.
+    declined : tuple of (asked, about)
+        Questions of learning that were answered with no: they are not asked anew.
     language : str
         Which phrasebook the teacher's words are read with.
     """
@@ -47,6 +49,7 @@ class Knowledge:
     assigned: tuple[tuple[int, str], ...] = ()
     lesson: Lesson | None = None
     learned_root: Sketch | None = None
+    declined: tuple[tuple[str, str], ...] = ()
     reviewed: bool = False
     facing: Facing | None = None
     language: str = "english"

@@ -79,6 +79,8 @@ def shown_again(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] =
     shows, again = _any("shows", dialogue.language), _any("once_more", dialogue.language)
     told = re.search(rf"\b(?:{shows})\s+(.+?)\s+(?:{again})\b", words.text, re.IGNORECASE)
     said = with_names(dialogue, told.group(1)).split() if told else []
+    if said and said[0].lower() in hints("shows_itself", dialogue.language):
+        return None
     # "You just the second step" begins with what belongs to the verb.
     rests = (
         bare(" ".join(said[at:]), dialogue.language) for at in range(min(len(said), MOST_LEAD))

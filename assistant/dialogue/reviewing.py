@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, learn, tell
+from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, tell
 from assistant.dialogue.bodies import WIDEST_MM, standing, too_wide
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
@@ -14,7 +14,7 @@ from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import at, put
 from assistant.dialogue.state import AwaitingShow, Dialogue, Reviewing, Running, Thinking
-from assistant.dialogue.turn import Turn, changed, first, line, say, then
+from assistant.dialogue.turn import Turn, changed, line, say, then
 from assistant.dialogue.unnamed import introduced_late, names_new_step, no_step_of_its_own
 from assistant.model import teacher_acts as acts
 from assistant.model.lesson import Lesson, Question
@@ -47,7 +47,7 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
     after = replace(
         dialogue, known=with_lesson(known, lesson), clean=(), unsaved=True, agreed=False
     )
-    questions = open_questions(lesson)
+    questions = open_questions(lesson, known)
     reviewing = replace(after, state=Reviewing(questions), pace="slow")
     return tell(reviewing, read_back(after.known))
 
@@ -60,9 +60,13 @@ def _without_last(dialogue: Dialogue) -> Knowledge:
     return replace(known, demonstrations=known.demonstrations[:-1])
 
 
-def open_questions(lesson: Lesson) -> tuple[Question, ...]:
+def open_questions(lesson: Lesson, known: Knowledge) -> tuple[Question, ...]:
     """Return what is asked one by one; unsure cuts are told with the question about the whole."""
-    return tuple(one for one in lesson.segmentation.questions if one.reason != UNSURE)
+    return tuple(
+        one
+        for one in lesson.segmentation.questions
+        if one.reason != UNSURE and (one.asked, one.about) not in known.declined
+    )
 
 
 def carried_over(old: Lesson | None, new: Lesson) -> Lesson:
@@ -123,6 +127,10 @@ def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct, words: st
             return _yes(dialogue, state)
         case acts.Deny() if names_new_step(state):
             return no_step_of_its_own(dialogue, state) or next_question(dialogue, state)
+        case acts.Deny() if head is not None and head.asked in ("optional", "order"):
+            declined = (*dialogue.known.declined, (head.asked, head.about))
+            known = replace(dialogue.known, declined=declined)
+            return next_question(changed(dialogue, "declined", known), state)
         case acts.Deny():
             return next_question(dialogue, state)
         case acts.Inform(value) if head is not None:
@@ -209,64 +217,9 @@ def replay(dialogue: Dialogue) -> Turn:
 def replayed(dialogue: Dialogue) -> Turn:
     """Go back to the open question after a replay."""
     known = dialogue.known
-    questions = open_questions(known.lesson) if known.lesson else ()
+    questions = open_questions(known.lesson, known) if known.lesson else ()
     state = Reviewing(questions if not known.reviewed else ())
     at_rest = replace(dialogue, state=state, arm="rest")
     if known.reviewed:
         return introduced(at_rest)
     return ask(at_rest)
-
-
-def move_cut(dialogue: Dialogue, act: acts.MoveCut) -> Turn:
-    """Learn again with one cut elsewhere."""
-    lesson = dialogue.known.lesson
-    cuts = list(_boundaries(lesson)) if lesson else []
-    names = [one.primitive for one in lesson.segmentation.episodes] if lesson else []
-    index = index_of(dialogue.known, act.subtask)
-    if lesson is None or act.subtask not in names[:-1] or not index:
-        return tell(dialogue, line("error", "no_such_cut", name=act.subtask))
-    last = max(number for number, name in enumerate(names[:-1]) if name == act.subtask)
-    step_s = _cut_step_s(lesson, last)
-    at_s = act.at_s if act.at_s is not None else cuts[last] + step_s[act.direction == "later"]
-    episodes = lesson.segmentation.episodes
-    if not episodes[last].from_s < at_s < episodes[last + 1].to_s:
-        low, high = episodes[last].from_s, episodes[last + 1].to_s
-        told = line("error", "cut_outside", at_s=at_s, from_s=low, to_s=high, name=act.subtask)
-        return tell(dialogue, told)
-    old_s = cuts[last]
-    cuts[last] = at_s
-    known = replace(dialogue.known, cuts_s=tuple(cuts), assigned=_as_assigned(lesson))
-    told = line("done", "cut_moved", name=act.subtask, from_s=old_s, to_s=at_s)
-    return first(say(dialogue, told)[1], learn(changed(dialogue, "cut", known)))
-
-
-def _boundaries(lesson: Lesson) -> tuple[float, ...]:
-    return tuple(one.to_s for one in lesson.segmentation.episodes[:-1])
-
-
-def _as_assigned(lesson: Lesson) -> tuple[tuple[int, str], ...]:
-    found = enumerate(lesson.segmentation.episodes, start=1)
-    return tuple((number, one.primitive) for number, one in found if one.primitive)
-
-
-def _cut_step_s(lesson: Lesson, last: int) -> tuple[float, float]:
-    """Return half a second back and forth, less where an episode is short."""
-    before, after = lesson.segmentation.episodes[last : last + 2]
-    return (
-        -min(0.5, (before.to_s - before.from_s) / 2),
-        min(0.5, (after.to_s - after.from_s) / 2),
-    )
-
-
-def assign(dialogue: Dialogue, act: acts.Assign, name: str) -> Turn:
-    """Learn again with one episode given to another primitive."""
-    lesson = dialogue.known.lesson
-    count = len(lesson.segmentation.episodes) if lesson else 0
-    if lesson is None or not 1 <= act.episode <= count:
-        return tell(dialogue, line("error", "no_such_episode", episode=act.episode, count=count))
-    fixed = dict(_as_assigned(lesson)) | {act.episode: name}
-    known = replace(
-        dialogue.known, cuts_s=_boundaries(lesson), assigned=tuple(sorted(fixed.items()))
-    )
-    told = line("done", "assigned", episode=act.episode, name=name)
-    return first(say(dialogue, told)[1], learn(changed(dialogue, "assigned", known)))

@@ -157,10 +157,19 @@ class Pending:
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A snapshot to go back to, with what was changed after it."""
+    """A snapshot to go back to, with what was changed after it.
+
+    Parameters
+    ----------
+    known : Knowledge
+    label : str
+    questions : tuple of Question
+        Of learning, those that were open then.
+    """
 
     known: Knowledge
     label: str
+    questions: tuple[Question, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from typing import Any
 from assistant.dialogue.effects import Effect, Say
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import Sketch, walk
-from assistant.dialogue.state import Change, Dialogue, Other
+from assistant.dialogue.state import Change, Dialogue, Other, Reviewing
 from assistant.model.conditions import Condition
 from assistant.model.robot_acts import About, RobotAct, RobotActName
 from assistant.model.setup import Place
@@ -78,6 +78,12 @@ def first(effects: Iterable[Effect], turn: Turn) -> Turn:
     return turn[0], (*effects, *turn[1])
 
 
+def snapshot(dialogue: Dialogue, label: str) -> Change:
+    """Return what is known now and what learning asks now, to go back to."""
+    state = dialogue.state
+    return Change(dialogue.known, label, state.questions if isinstance(state, Reviewing) else ())
+
+
 def changed(
     dialogue: Dialogue, label: str, known: Knowledge, *, clean: tuple[Any, ...] = ()
 ) -> Dialogue:
@@ -92,7 +98,7 @@ def changed(
     """
     if known == dialogue.known:
         return dialogue
-    past = (*dialogue.past, Change(dialogue.known, label))
+    past = (*dialogue.past, snapshot(dialogue, label))
     after = replace(dialogue, known=known, past=past, future=(), clean=clean)
     # Where things are and where the teacher stands is no part of a saved task.
     return after if label in ASIDE else replace(after, unsaved=True, agreed=False)

@@ -10,7 +10,7 @@ from assistant.dialogue.going_back import resettled
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import names
 from assistant.dialogue.state import Change, Dialogue, Ready
-from assistant.dialogue.turn import Turn, changed, line, say
+from assistant.dialogue.turn import Turn, changed, line, say, snapshot
 
 
 def undo(dialogue: Dialogue) -> Turn:
@@ -18,7 +18,7 @@ def undo(dialogue: Dialogue) -> Turn:
     if not dialogue.past:
         return tell(dialogue, line("error", "nothing_to_undo"))
     change = dialogue.past[-1]
-    future = (*dialogue.future, Change(dialogue.known, change.label))
+    future = (*dialogue.future, snapshot(dialogue, change.label))
     return _turned_to(dialogue, change, dialogue.past[:-1], future, "undone")
 
 
@@ -27,7 +27,7 @@ def redo(dialogue: Dialogue) -> Turn:
     if not dialogue.future:
         return _taken_back(dialogue) or tell(dialogue, line("error", "nothing_to_redo"))
     change = dialogue.future[-1]
-    past = (*dialogue.past, Change(dialogue.known, change.label))
+    past = (*dialogue.past, snapshot(dialogue, change.label))
     return _turned_to(dialogue, change, past, dialogue.future[:-1], "redone")
 
 
@@ -70,7 +70,7 @@ def _turned_to(
         return told_of(corrected(after), said)
     if after.arm == "checking":
         after = replace(after, arm="rest", state=Ready())
-    return resettled(before, after, said)
+    return resettled(before, after, said, change.questions)
 
 
 def _named(before: Knowledge, change: Change, *, back: bool) -> list[str]:
@@ -78,7 +78,7 @@ def _named(before: Knowledge, change: Change, *, back: bool) -> list[str]:
     if change.label in ("correction", "corrections"):
         lost, won = _corrections(before, change.known), _corrections(change.known, before)
         return (won or lost) if back else (lost or won)
-    if change.label not in ("subtask_name", "steps"):
+    if change.label not in ("subtask_name", "steps", "added", "removed"):
         return []
     here, there = names(before.root), names(change.known.root)
     return [name for name in (*here, *there) if (name in here) != (name in there)]

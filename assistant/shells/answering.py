@@ -29,8 +29,23 @@ from assistant.shells.trees import Labels, segmentation_views, task_tree
 ROWS = 9
 
 
+CHANGES = (
+    "name",
+    "optional",
+    "required",
+    "unordered",
+    "ordered",
+    "added",
+    "removed",
+    "merged",
+    "split",
+)
+"""Changes of the plan after which it is drawn anew: labels of what can be undone."""
+TOPICS = (*CHANGES, "renamed", "dissolved")
+
+
 def picture(session: Session, line: RobotAct) -> RenderableType | None:
-    """Return what to show for a line, None where its sentence tells it best."""
+    """Return what to show instead of a line's sentence, None where that tells it best."""
     if line.act != "told":
         return None
     known = session.dialogue.known
@@ -38,7 +53,7 @@ def picture(session: Session, line: RobotAct) -> RenderableType | None:
     labels: Labels = {**_motions(known, session.language), **words["labels"]}
     match line.topic:
         case "tree":
-            return task_tree(known.task, labels, partial(_does, language=session.language))
+            return _tree(session, labels)
         case "plan" | "conditions":
             return _sentences(session.phrased(line))
         case "corrections":
@@ -50,6 +65,22 @@ def picture(session: Session, line: RobotAct) -> RenderableType | None:
             return _of_lesson(known, known.lesson, line.topic, words, labels)
         case _:
             return None
+
+
+def redrawn(session: Session, line: RobotAct) -> RenderableType | None:
+    """Return the plan after a change of it, None after other lines and where it follows anyway."""
+    told = line.topic.partition("_")[0]
+    new = line.act == "done" and (told in TOPICS or line.slots.get("what") in CHANGES)
+    soon = session.listening.asked == "confirm_tree" or session.dialogue.brief
+    if not new or soon or not session.dialogue.known.root.parts:
+        return None
+    labels: Labels = page("terminal", session.language)["tables"]["labels"]
+    return _tree(session, labels)
+
+
+def _tree(session: Session, labels: Labels) -> RenderableType:
+    told = partial(_does, language=session.language)
+    return task_tree(session.dialogue.known.task, labels, told)
 
 
 def _motions(known: Knowledge, language: str) -> Labels:

@@ -27,7 +27,7 @@ from assistant.session.acting import leave
 from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
 from assistant.session.stepping_in import step_in
-from assistant.shells.answering import picture, rendered
+from assistant.shells.answering import picture, redrawn, rendered
 from assistant.shells.bar import bar
 from assistant.shells.beating import BEAT_S
 from assistant.shells.beside import Beside, Words
@@ -88,6 +88,7 @@ class TextShell:
         write(styled(name, NAME_STYLE) + styled(first[len(name) :], style))
         for one in more:
             write(styled(one, style))
+        shown = shown or (redrawn(session, line) if session is not None else None)
         if shown is not None:
             write(rendered(shown, columns() - 1))
 

@@ -8,6 +8,7 @@ import pytest
 
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
+from assistant.dialogue.asking import UNSURE
 from assistant.dialogue.machine import public_view
 from assistant.language.speech import phrase
 from assistant.learning.questions import DOUBTED
@@ -221,3 +222,60 @@ def test_what_is_no_step_of_its_own_belongs_to_the_step_it_leads_to() -> None:
     assert dict(learn.assigned)[4] == STEPS[4]
     assert learn.cuts_s == (2.0, 4.0, 6.0, 8.0)
     assert _wanted(teacher.tell("none")) == learn
+
+
+def test_what_is_taken_back_asks_what_was_asked_and_tells_the_parts() -> None:
+    question = Question("optional", "move up object", "no_change")
+    teacher = Lessons().learned(question)
+    assert teacher.asked == "optional"
+    teacher.hear(acts.MoveCut("grasp object", direction="later"))
+    other = lesson()
+    episodes = (replace(other.segmentation.episodes[0], to_s=1.0), *other.segmentation.episodes[1:])
+    new = replace(other, segmentation=replace(other.segmentation, episodes=episodes))
+    teacher.happen(ev.Learned(new)).hear(acts.Undo())
+    assert teacher.topics == ["done.undone", "read_back.episodes", "confirm.optional.no_change"]
+    teacher.hear(acts.Redo())
+    assert teacher.topics == ["done.redone", "read_back.episodes", "confirm.segmentation"]
+
+
+def test_a_no_is_not_asked_for_again_and_can_be_taken_back() -> None:
+    question = Question("optional", "move up object", "no_change")
+    teacher = Lessons().learned(question).hear(acts.Deny())
+    assert teacher.asked == "confirm_segmentation"
+    teacher.hear(acts.MoveCut("grasp object", direction="later"))
+    teacher.happen(ev.Learned(lesson((question,))))
+    assert teacher.asked == "confirm_segmentation"
+    teacher.hear(acts.Undo()).hear(acts.Undo())
+    assert teacher.asked == "optional"
+
+
+def test_a_cut_before_a_part_of_no_step_is_not_told_without_a_name() -> None:
+    unsure = Question("confirm_segmentation", "", UNSURE)
+    teacher = Lessons().learned(unsure)
+    assert teacher.lines[-1].slots["unsure"] == []
+
+
+def test_a_part_given_to_a_whole_is_given_to_one_of_its_motions() -> None:
+    teacher = Lessons().learned().hear(acts.Assign(3, "place object"))
+    assert not teacher.did(fx.Learn)
+    assert teacher.asked == "which"
+    teacher.tell(STEPS[3])
+    learn = next(one for one in teacher.effects if isinstance(one, fx.Learn))
+    assert learn.assigned[2] == (3, STEPS[3])
+
+
+@pytest.mark.parametrize(
+    ("act", "text"),
+    [
+        (acts.Split("move object down to target"), "split move up object"),
+        (acts.Split("grasp object"), "split step 1.3"),
+        (acts.RemoveSubtask("move"), "remove move up object"),
+    ],
+)
+def test_a_step_named_in_full_is_the_one_that_is_meant(act: acts.TeacherAct, text: str) -> None:
+    teacher = Lessons().learned().hear(act, text=text)
+    assert teacher.lines[0].slots["name"] == "move up object"
+
+
+def test_splitting_what_was_shown_tells_whether_it_must_be_shown() -> None:
+    assert "done.split_look" in Lessons().learned().hear(acts.Split(STEPS[0])).topics

@@ -9,7 +9,7 @@ import pytest
 
 from assistant.model.robot_acts import RobotAct
 from assistant.session.loop import Session
-from assistant.shells.answering import picture, rendered
+from assistant.shells.answering import picture, redrawn, rendered
 from tests.session.lessons import Heard, hold, opened
 
 
@@ -43,6 +43,34 @@ def test_what_is_asked_for_is_drawn(
     text = "\n".join(rendered(each, 70) for each in drawn if each is not None)
     assert [each for each in seen if each not in text] == []
     assert max(map(len, text.split("\n"))) <= 70
+
+
+@pytest.mark.parametrize(
+    ("words", "seen"),
+    [
+        ("rename move up object to lift", "1.3 lift"),
+        ("lift is not optional", "1.3 lift (go up with the block)"),
+        ("undo", "1.3 lift (go up with the block) (optional)"),
+        ("undo", "1.3 move up object"),
+    ],
+)
+def test_the_plan_is_drawn_after_each_change_of_it(
+    taught: tuple[Session, Heard], words: str, seen: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    session, heard = taught
+    before = len(heard.lines)
+    session.hear(words)
+    drawn = [redrawn(session, line) for line, _ in heard.lines[before:]]
+    texts = [rendered(each, 70) for each in drawn if each is not None]
+    assert len(texts) == 1
+    assert seen in texts[0]
+
+
+def test_other_changes_draw_no_plan(taught: tuple[Session, Heard]) -> None:
+    session, _ = taught
+    assert redrawn(session, RobotAct("done", "undone", slots={"what": "correction"})) is None
+    assert redrawn(session, RobotAct("done", "run")) is None
 
 
 def test_other_lines_are_sentences(taught: tuple[Session, Heard]) -> None:
