@@ -32,7 +32,7 @@ class Rows:
 
 
 def recording_of_columns(columns: dict[str, Array], file: str) -> Recording:
-    """Return the recording of named columns, or raise `BadInput`."""
+    """Return the recording of named columns, shape (n,) each, or raise `BadInput`."""
     order = columns_of(list(columns), file)
     lengths = {len(column) for column in columns.values()}
     if len(lengths) != 1:

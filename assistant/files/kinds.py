@@ -59,19 +59,14 @@ class Known:
     recording: str = ""
 
 
-def read_any(path: Path) -> Value:
-    """Return the value of any file of ours; setups as a tuple.
+def read_known(path: Path) -> Known:
+    """Return the value of any file of ours, its kind, and what looks odd about it.
 
     Raises
     ------
     BadInput
         With every problem, each as ``file:line``.
     """
-    return read_known(path).value
-
-
-def read_known(path: Path) -> Known:
-    """Return the value of any file of ours, its kind, and what looks odd about it."""
     match path.suffix.lower():
         case ".csv":
             return _recording(read_recording(path), path)

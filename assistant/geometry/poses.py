@@ -69,13 +69,27 @@ def relative(frame_to_world: ArrayLike, poses: ArrayLike) -> Array:
 
 
 def transform_points(pose: ArrayLike, points: ArrayLike) -> Array:
-    """Return points, shape (..., 3), given in a frame at `pose` as seen from its parent."""
+    """Return points given in a frame at a pose, shape (..., 7), as seen from its parent.
+
+    Points have shape (..., 3), in the unit of the pose's place, and so has the result.
+    """
     pose = np.asarray(pose, dtype=float)
     return np.asarray(pose[..., :3] + rotate_vector(pose[..., 3:], points))
 
 
 def interpolate(first: ArrayLike, second: ArrayLike, weight: ArrayLike) -> Array:
-    """Return poses between two: straight in place, slerp in rotation; weight 1 gives `second`."""
+    """Return poses between two: straight in place, slerp in rotation.
+
+    Parameters
+    ----------
+    first, second : array, shape (..., 7)
+    weight : float or array, shape (...)
+        0 gives `first`, 1 gives `second`.
+
+    Returns
+    -------
+    array, shape (..., 7)
+    """
     first = np.asarray(first, dtype=float)
     second = np.asarray(second, dtype=float)
     share = np.asarray(weight, dtype=float)[..., None]

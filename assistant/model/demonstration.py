@@ -11,7 +11,7 @@ from assistant.model.setup import Setup
 
 
 def frozen_array(values: Array) -> Array:
-    """Return a read-only copy, so that a frozen value stays what it was."""
+    """Return a read-only copy, of the same shape, so that a frozen value stays what it was."""
     copy = np.array(values, dtype=float)
     copy.setflags(write=False)
     return copy

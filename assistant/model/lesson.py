@@ -85,7 +85,23 @@ class Question:
 
 @dataclass(frozen=True, slots=True)
 class Segmentation:
-    """All that cutting and assigning found."""
+    """All that cutting and assigning found.
+
+    Parameters
+    ----------
+    points : tuple of SegmentationPoint
+        Kept and dropped, in the order of time.
+    episodes : tuple of Episode
+    cue_lag_s : float or None
+        How late the teacher's cues come; None without cues.
+    questions : tuple of Question
+        What remains to be asked.
+    vote_t_s : array, shape (n,)
+    vote : array, shape (n,)
+        v(t) at those instants; empty where no votes were kept. Source: paper III-A, eq. (2).
+    signal_votes : mapping of array, shape (n,)
+        What each signal gave to it.
+    """
 
     points: tuple[SegmentationPoint, ...]
     episodes: tuple[Episode, ...]

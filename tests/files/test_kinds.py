@@ -9,7 +9,7 @@ import pytest
 
 from assistant.errors import BadInput
 from assistant.files.converting import convert
-from assistant.files.kinds import read_any, read_known
+from assistant.files.kinds import read_known
 from assistant.files.shipped import shipped
 from assistant.files.tasks import write_task
 from assistant.model.setup import Setup
@@ -56,7 +56,7 @@ def test_what_is_none_of_our_files_is_told(tmp_path: Path, text: str, told: str)
     path = tmp_path / "x.yaml"
     path.write_text(text)
     with pytest.raises(BadInput) as caught:
-        read_any(path)
+        read_known(path)
     assert told in str(caught.value)
 
 
