@@ -173,13 +173,13 @@ def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
     anywhere = _anywhere(heard, act, words)
     if anywhere is not None:
         return anywhere
-    if isinstance(dialogue.state, Watching):
-        return showing.while_watching(heard, act)
-    if dialogue.pending is not None:
-        answered = _answer_pending(heard, act, words)
-        if answered is not None:
+    watching = isinstance(dialogue.state, Watching)
+    if dialogue.pending is not None and (not watching or dialogue.pending.leave):
+        if (answered := _answer_pending(heard, act, words)) is not None:
             return answered
         heard = replace(heard, pending=None)
+    if watching:
+        return showing.while_watching(heard, act)
     return general(heard, act, words) or in_state(heard, act, words)
 
 
@@ -204,7 +204,7 @@ def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | 
             return tell(replace(dialogue, brief=brief), line("told", topic))
         case acts.Stop():
             return _stop(dialogue)
-        case acts.Quit() if not isinstance(dialogue.state, Watching):
+        case acts.Quit() if not (isinstance(dialogue.state, Watching) and words.by_voice):
             # Whoever says it twice has been asked about what is not saved already.
             leaving = dialogue.pending is not None and dialogue.pending.leave
             return None if leaving else keeping.leave_wanted(dialogue)

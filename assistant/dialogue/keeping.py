@@ -242,6 +242,9 @@ def answer_unsaved(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
         case acts.Deny():
             stays = replace(free, leaving=False, after=("", ""))
             return tell(stays, line("told", "not_saved"))
+        case acts.Pause() | acts.Resume() | acts.Undo() if pending.leave:
+            # "Wait": who asked to leave stays.
+            return tell(replace(free, leaving=False, after=("", "")), line("told", "as_it_was"))
         case _:
             return None
 

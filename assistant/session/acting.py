@@ -102,6 +102,18 @@ def _found(step: Demonstrate, base: Path) -> Demonstrate:
     return replace(step, recording=str(path), cues=shown.cues, key_states=shown.key_states)
 
 
+def wants_to_leave(session: Session) -> bool:
+    """End the conversation as "quit" does; return whether it goes on, with a question perhaps.
+
+    Whoever closes the line once more instead of answering is gone.
+    """
+    pending = session.dialogue.pending
+    if pending is not None and pending.leave:
+        return False
+    session.hear(_for_teacher(session, "quit"))
+    return not session.left and session.dialogue.pending is not None
+
+
 def leave(session: Session, why: str = halting.NOBODY, *, tells: bool = False) -> None:
     """End the conversation because nobody is there any more: stop, then quit.
 

@@ -23,7 +23,7 @@ from prompt_toolkit.shortcuts import CompleteStyle
 from assistant.language.hints import page
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
-from assistant.session.acting import leave
+from assistant.session.acting import leave, wants_to_leave
 from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
 from assistant.session.stepping_in import step_in
@@ -115,23 +115,34 @@ class TextShell:
             with _above_the_prompt(), interrupts(self._interrupt):
                 while not session.left and self._error is None:
                     self._turn(session, prompt)
-        except EOFError:
-            with ticker.lock:
-                leave(session, tells=True)
         finally:
             ticker.stop()
         if self._error is not None:
             raise self._error
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
-        text = prompt.prompt(
-            f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
-        ).strip()
+        try:
+            text = prompt.prompt(
+                f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
+            ).strip()
+        except EOFError:
+            self._closed(session)
+            return
         # What is pasted in several lines is said line by line.
         for line in text.splitlines() or ("",):
             if session.left:
                 return
             self._take(session, line.strip())
+
+    def _closed(self, session: Session) -> None:
+        """Take Ctrl-D for "quit"; nobody is there who closes the line again."""
+        assert self._ticker is not None
+        session.equipment.stop_flag.set()
+        with self._ticker.lock:
+            self._heart.beat()
+            if not wants_to_leave(session):
+                leave(session, tells=True)
+                session.left = True
 
     def _take(self, session: Session, text: str) -> None:
         session.raw(text)

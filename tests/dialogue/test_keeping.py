@@ -179,3 +179,17 @@ def test_a_kept_task_whose_motions_are_changed_must_be_shown_again() -> None:
     # Names, order and what may be left out need no demonstration.
     for act in (acts.Rename("grasp object", "grip"), acts.Optional("move up object")):
         assert "told.must_be_shown" not in teacher.hear(act).topics
+
+
+def test_who_wants_to_leave_while_showing_is_asked_and_may_stay() -> None:
+    teacher = Lessons().confirmed().hear(acts.Start()).hear(acts.Quit())
+    assert teacher.asked == "unsaved"
+    teacher.hear(acts.Pause())
+    assert teacher.topics[0] == "told.as_it_was"
+    assert not teacher.did(fx.EndRecording)
+    teacher.hear(acts.Cue("next"), text="then")
+    assert teacher.topics == []
+    # Heard beside the showing it may be talk.
+    assert teacher.hear(acts.Quit(), voice=True).topics == []
+    teacher.hear(acts.Quit()).hear(acts.Deny())
+    assert teacher.topics == ["told.goodbye"]
