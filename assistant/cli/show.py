@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE
+from assistant.cli.naming import must_be_learned, task_path
 from assistant.errors import BadInput
 
 if TYPE_CHECKING:
@@ -30,12 +31,9 @@ def arguments(parser: argparse.ArgumentParser) -> None:
 def run(args: argparse.Namespace) -> int:
     """Show the file."""
     from assistant.files.kinds import read_known
-    from assistant.files.library import library
     from assistant.files.plain import plain_values
 
-    path = args.file
-    if not path.exists() and str(path) in library():
-        path = library().path(str(path))
+    path = task_path(args.file)
     known = read_known(path)
     for warning in known.warnings:
         print(f"warning: {warning}", file=sys.stderr)
@@ -52,7 +50,6 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _draw(value: Value, path: Path, folder: Path) -> tuple[Path, ...]:
-    from assistant.cli.naming import must_be_learned
     from assistant.model.demonstration import Demonstration, Recording
     from assistant.model.task import Task
     from assistant.shells.figures import write_figures

@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import shutil
 from dataclasses import dataclass
+from glob import escape
 from pathlib import Path
 
 from assistant.errors import BadInput
@@ -31,10 +32,16 @@ class Library:
 
     def names(self) -> tuple[str, ...]:
         """Return the names of kept tasks, sorted."""
-        return tuple(sorted(path.stem for path in self.folder.glob("*.yaml")))
+        found = (path for path in self.folder.glob("*.yaml") if path.is_file())
+        return tuple(sorted(path.stem for path in found if not path.name.startswith(".")))
 
     def path(self, name: str) -> Path:
-        """Return the file of a kept task; the name is made fit for a file."""
+        """Return the file of a kept task; the name is made fit for a file.
+
+        A file somebody put there keeps the name it has.
+        """
+        if name in self.names():
+            return self.folder / f"{name}.yaml"
         fit = re.sub(r"[^\w-]+", "_", name.strip().lower()).strip("_")[:MOST_LETTERS]
         short = fit.encode("utf-8", errors="replace")[:MOST_BYTES].decode("utf-8", errors="ignore")
         return self.folder / f"{short or 'task'}.yaml"
@@ -92,7 +99,7 @@ class Library:
     def earlier(self, name: str) -> tuple[Path, ...]:
         """Return the earlier versions of a kept task, oldest first."""
         stem = self.path(name).stem
-        found = (self.folder / "earlier").glob(f"{stem}.*.yaml")
+        found = (self.folder / "earlier").glob(f"{escape(stem)}.*.yaml")
         return tuple(sorted((path for path in found if _number(path) > 0), key=_number))
 
     def delete(self, name: str) -> None:

@@ -12,6 +12,7 @@ import pytest
 from assistant.errors import BadInput
 from assistant.files.home import home, home_to_look_into
 from assistant.files.library import MOST_EARLIER, Library, library
+from assistant.files.tasks import task_text
 from assistant.files.writing import write_text
 from tests.files.examples import lesson, task
 from tests.files.same import same
@@ -38,6 +39,26 @@ def test_a_long_name_in_any_script_is_kept(kept: Library) -> None:
     assert name in kept
     assert len(kept.earlier(name)) == 1
     write_text(kept.folder / ("積" * 80), "a name as long as the system takes")
+
+
+@pytest.mark.parametrize("name", ["My Task", "a.b", "_b", "[c]"])
+def test_a_file_somebody_put_there_is_kept_under_the_name_it_has(kept: Library, name: str) -> None:
+    kept.folder.mkdir()
+    write_text(kept.folder / f"{name}.yaml", task_text(task()))
+    assert kept.names() == (name,)
+    kept.save(name, replace(task(), goal="x"), overwrite=True)
+    assert kept.names() == (name,)
+    assert kept.load(name).goal == "x"
+    assert len(kept.earlier(name)) == 1
+    kept.delete(name)
+    assert not [path for path in kept.folder.rglob("*") if path.is_file()]
+
+
+def test_what_is_no_file_or_hidden_is_no_kept_task(kept: Library) -> None:
+    (kept.folder / "folder.yaml").mkdir(parents=True)
+    (kept.folder / "broken.yaml").symlink_to("nowhere")
+    write_text(kept.folder / ".half.yaml", task_text(task()))
+    assert kept.names() == ()
 
 
 def test_the_file_of_a_kept_task_tells_its_name_and_no_other_file_does(
