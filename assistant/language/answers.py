@@ -132,7 +132,13 @@ def _count(words: Words, book: Phrasebook) -> Inform | None:
         return Inform(2)
     if book.little["dozens"] & set(texts):
         return Inform(12)
-    return Inform(1) if texts and texts[0] in book.little["single"] else None
+    return Inform(1) if texts and _single(texts, book) else None
+
+
+def _single(texts: Phrase, book: Phrasebook) -> bool:
+    """Tell that there is one; of a thing of other matters it is none: "may I have an ice"."""
+    other = len(texts) > 1 and texts[1] in book.real - book.vocabulary
+    return texts[0] in book.little["single"] and not other
 
 
 def _counted_up(values: Sequence[int]) -> int:

@@ -76,7 +76,7 @@ def united(words: Words, hearing: Hearing) -> Words:
         quantity = numbers.quantity(texts, at)
         end = quantity.end if quantity else at + 1
         found.extend(words[at:end])
-        counted = quantity.kind == "" if quantity else texts[at] in numbers.articles
+        counted = quantity.kind == "" if quantity else _lone(words, at, hearing)
         if quantity is not None and quantity.kind == "m":
             unit = texts[end - 1] if texts[end - 1] in numbers.units else ""
         elif unit and counted:
@@ -85,6 +85,13 @@ def united(words: Words, hearing: Hearing) -> Words:
                 found.append(Word(unit, ""))
         at = end
     return tuple(found)
+
+
+def _lone(words: Words, at: int, hearing: Hearing) -> bool:
+    """Tell an article that stands for one of what was measured: "and one up"."""
+    joints, articles = hearing.book.little["clause_joints"], hearing.book.numbers.articles
+    begun = at > 0 and (words[at].broken or words[at - 1].text in joints)
+    return begun and words[at].text in articles
 
 
 def _partly(words: Words, hearing: Hearing) -> Parse | None:

@@ -35,6 +35,42 @@ def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Word
     return said if asked in OPEN else _once_each(_uncalled(said, book), book)
 
 
+def bare_verbs(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
+    """Take out what stands before a verb that is wanted at the end: "bitten, langsamer zu fahren".
+
+    Names and other answers in the teacher's own words keep it.
+    """
+    mark = book.bends.within
+    if not mark or asked in OPEN:
+        return words
+    bare = tuple(word for at, word in enumerate(words) if not _marks(words, at, mark, book))
+    return _ordered(bare, book)
+
+
+def _ordered(words: Words, book: Phrasebook) -> Words:
+    """Return "tilt it" for "kippen Sie es": whom one asks politely stands behind the verb."""
+    verb = words[0].text if words else ""
+    polite = len(words) > 2 and words[1].text in book.bends.asked and not words[1].broken
+    if not polite or not verb.endswith(book.bends.verbs):
+        return words
+    stems = (verb[:-2] + "e", verb[:-2], verb[:-1])
+    stem = next((one for one in stems if one in book.vocabulary), "")
+    return (replace(words[0], text=stem), *words[2:]) if stem else words
+
+
+def _marks(words: Words, at: int, mark: str, book: Phrasebook) -> bool:
+    if words[at].text != mark or words[at].broken or not 0 < at < len(words) - 1:
+        return False
+    verb, behind = words[at + 1].text, words[at + 2 : at + 3]
+    ends = not behind or behind[0].broken or behind[0].text in book.little["joints"]
+    how = book.motion.get((verb,), "move") in _WAYS_TO_MOVE and verb not in book.empty
+    known = verb in book.vocabulary and (mark, verb) not in book.motion
+    return ends and how and known and verb.endswith(book.bends.verbs)
+
+
+_WAYS_TO_MOVE = ("move", "turn", "tilt", "raise", "lower", "advance", "retreat")
+
+
 def _uncalled(words: Words, book: Phrasebook) -> Words:
     """Take out whom one speaks to between two marks: "that is it, son, just right"."""
     kept = list(words)

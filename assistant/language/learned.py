@@ -138,12 +138,18 @@ def made(
         return None
     if name == "set_pose":
         return _pose(slots, words, spelled, hearing)
-    if any(value in ("", ()) for value in slots.values()):
+    if any(value in ("", ()) for value in slots.values()) or _told_twice(slots):
         return None
     try:
         return cast("Callable[..., TeacherAct]", ACTS[name])(**slots)
     except TypeError:
         return None
+
+
+def _told_twice(slots: Mapping[str, Any]) -> bool:
+    """Tell one name in two places, where another is meant: no step comes before itself."""
+    pairs = (slots.get("first"), slots.get("second")), (slots.get("old"), slots.get("new"))
+    return any(one is not None and one == other for one, other in pairs)
 
 
 def _name(words: Words, span: tuple[int, int], hearing: Hearing) -> str:

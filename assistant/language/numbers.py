@@ -275,6 +275,11 @@ def number_words(told: Mapping[str, Any]) -> NumberWords:
         for name in names.split(","):
             units[name.strip()] = (cast("Kind", kind.strip()), float(factor))
     fractions = {key: float(value) for key, value in pairs(told["fractions"])}
+    units |= {
+        f"{part}{name}": (kind, fractions[part] * factor)
+        for part in told.get("glued_units", "").split()
+        for name, (kind, factor) in units.items()
+    }
     whole = glued(told.get("glued", ""), tens, ones)
     also: dict[Phrase, float] = {(word,): value for word, value in whole.items()}
     also |= {tuple(key.split()): float(value) for key, value in pairs(told["also"])}

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any, cast
 
+from assistant.language.bends import Bends, bends_of
 from assistant.language.lists import (
     Phrase as Phrase,
 )
@@ -65,6 +66,7 @@ class Phrasebook:
     refusing: frozenset[str]
     chat: frozenset[str]
     homophones: Mapping[Phrase, Phrase]
+    bends: Bends
     sentences: tuple[Sentence, ...]
     needing: Mapping[str, tuple[int, ...]]
     beginning: Mapping[str, frozenset[int]]
@@ -167,6 +169,7 @@ def _made(book: Mapping[str, Any], classes: Mapping[str, Any], little: LittleWor
         homophones={
             tuple(key.split()): tuple(value.split()) for key, value in pairs(book["homophones"])
         },
+        bends=bends_of(book.get("bends", {})),
         sentences=sentences,
         needing=needing(sentences),
         beginning=beginning(sentences),

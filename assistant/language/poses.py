@@ -46,7 +46,10 @@ def read_pose(
 ) -> PoseReading | None:
     """Return the place a clause tells; None if it tells none."""
     if not any(char.isdigit() for word in words for char in word) and not any(
-        word in book.numbers.ones or word in book.numbers.tens or word in book.little["counting"]
+        word in book.numbers.ones
+        or word in book.numbers.tens
+        or (word,) in book.numbers.also
+        or word in book.little["counting"]
         for word in words
     ):
         return None

@@ -13,6 +13,7 @@ from functools import lru_cache
 from rapidfuzz import process
 from rapidfuzz.distance import OSA
 
+from assistant.language.bends import put_together, relettered, unbent_word
 from assistant.language.little_words import LittleWords
 from assistant.language.phrasebook import Phrasebook
 from assistant.language.words import Word, Words
@@ -25,11 +26,23 @@ def respelled(words: Words, book: Phrasebook, names: Iterable[str]) -> Words:
     more = frozenset(part for name in names for part in name.lower().split())
     known = book.vocabulary | more if more else book.vocabulary
     return tuple(
-        Word(_nearest(word.text, known, book.little), word.said, word.broken)
+        Word(_known_word(word.text, known, book), word.said, word.broken)
         if word.text.isalpha() and word.text not in known and word.text not in book.real
         else word
         for word in words
     )
+
+
+def _known_word(text: str, known: frozenset[str], book: Phrasebook) -> str:
+    """Return the known word that a text is bent from or a slip of; itself if there is none."""
+    bent = unbent_word(text, known, book.bends)
+    if bent or (book.bends.heads and put_together(text, known | book.real)):
+        return bent or text
+    nearest = _nearest(text, known, book.little)
+    if nearest != text:
+        return nearest
+    lettered = relettered(text, book.bends)
+    return text if lettered == text else _nearest(lettered, known, book.little)
 
 
 def without_slips(words: Words, book: Phrasebook) -> Words:

@@ -12,7 +12,7 @@ from dataclasses import replace
 from assistant.language.answers import OPEN, trimmed
 from assistant.language.choosing import chosen
 from assistant.language.commands import command, consent, plain_answer, settled, unknown
-from assistant.language.fillers import without_fillers
+from assistant.language.fillers import bare_verbs, without_fillers
 from assistant.language.guessing import guess, urgent
 from assistant.language.naming import known_name
 from assistant.language.open_answers import MOTION, answered, goalless
@@ -38,6 +38,8 @@ from assistant.language.weighing import weighed
 from assistant.language.words import Words, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
+    Affirm,
+    Approve,
     Optional,
     Stop,
     Unknown,
@@ -77,14 +79,14 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     hearing = Hearing(book, listening, language)
     heard_words = words_of(text, book.contractions)
     words = without_fillers(heard_words[:MOST_WORDS], listening.asked, book)
-    words = without_slips(words, book)
+    words = bare_verbs(without_slips(words, book), listening.asked, book)
     if not words:
         return Reading(Parse((Unknown(),), LIKELY), words, words, {}, hearing)
     if listening.asked not in OPEN:
         words = _once(words)
     plain = consent(words, hearing) or goalless(words, hearing)
     if plain is not None:
-        return Reading(plain, words, words, {}, hearing)
+        return Reading(_agreed(plain, heard_words, hearing), words, words, {}, hearing)
     short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
     if short is not None and short.score >= SURE and listening.asked not in OPEN:
         heard, parse = heard_words, settled(short, listening)
@@ -95,7 +97,14 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     grammar = weighed(parse, heard, chances, hearing)
     grammar = replace(grammar, acts=unbent(grammar.acts, heard, hearing))
     choice = chosen(parse, grammar, words, chances, hearing)
-    return Reading(choice or grammar, words, heard, chances, hearing)
+    answer = _agreed(choice or grammar, heard_words, hearing)
+    return Reading(answer, words, heard, chances, hearing)
+
+
+def _agreed(parse: Parse, words: Words, hearing: Hearing) -> Parse:
+    """Return praise behind a yes as the yes it is: "yes, that looks good" answers the question."""
+    yes = words[0].text in hearing.book.yes and hearing.listening.asked == "satisfied"
+    return replace(parse, acts=(Affirm(),)) if yes and parse.acts == (Approve(),) else parse
 
 
 def _once(words: Words) -> Words:

@@ -4,7 +4,7 @@ There are few German sentences, so that the choice between readings begins with 
 English and moves from them only where German speakers say so. What the rules read stands in
 ``first_readings_german.json.gz``: their readings before anybody tuned rules on them.
 
-run: python -m tests.benchmarks.fit_german [--write]
+run: python -m tests.benchmarks.fit_german [--write] [--kept FILE]
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from __future__ import annotations
 import gzip
 import json
 import math
+import pickle
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -48,9 +49,9 @@ WRONG = 0.005
 """The share of all sentences that may be wrong and sure."""
 EXACT_FROM = 0.5
 """From which likelihood a sentence of the phrasebook is trusted: of 46 such, 45 were right."""
-_PENALTY = 5.0
-"""How far weights keep to those of English."""
-_GROWN, _OTHERS_GROWN = 0.8, 0.2
+_PENALTY, _SURE_PENALTY = 5.0, 30.0
+"""How far weights keep to those of English: how sure choices are hangs little on the language."""
+_GROWN, _OTHERS_GROWN = 0.5, 0.2
 """The rules were extended since their first readings, those of English less."""
 
 
@@ -106,7 +107,9 @@ def lines() -> Iterator[Line]:
         print(f"  {fold + 1} of {FOLDS} shares", flush=True)
 
 
-def _near(kept: Mapping[str, float], looks: Sequence[Looks], slopes: Any) -> dict[str, float]:
+def _near(
+    kept: Mapping[str, float], looks: Sequence[Looks], slopes: Any, penalty: float
+) -> dict[str, float]:
     """Return the weights that fit best among those near others."""
     names = sorted({name for one in looks for name in one} | set(kept))
     told = np.array([[one.get(name, 0.0) for name in names] for one in looks])
@@ -115,7 +118,7 @@ def _near(kept: Mapping[str, float], looks: Sequence[Looks], slopes: Any) -> dic
     def loss(weights: Array) -> tuple[float, Array]:
         missed, slope = slopes(told @ weights)
         off = weights - prior
-        return float(missed + _PENALTY / 2 * off @ off), told.T @ slope + _PENALTY * off
+        return float(missed + penalty / 2 * off @ off), told.T @ slope + penalty * off
 
     found = minimize(loss, prior.copy(), jac=True, method="L-BFGS-B")
     return {name: round(float(one), 3) for name, one in zip(names, found.x, strict=True)}
@@ -136,7 +139,7 @@ def choice_of(lines: Sequence[Line], kept: Mapping[str, float]) -> dict[str, flo
         return -np.log(good + 1e-12).sum(), shares - shares * right / good[owner]
 
     before = {**kept, "weighed": kept["weighed"] - _OTHERS_GROWN}
-    found = _near(before, [one.looks for line in told for one in line.pool], slopes)
+    found = _near(before, [one.looks for line in told for one in line.pool], slopes, _PENALTY)
     return {**found, "weighed": round(found["weighed"] + _GROWN, 3)}
 
 
@@ -151,7 +154,7 @@ def sureness_of(
         missed = good * np.log(share + 1e-12) + (1 - good) * np.log(1 - share + 1e-12)
         return -missed.sum(), share - good
 
-    return _near(kept, looks, slopes)
+    return _near(kept, looks, slopes, _SURE_PENALTY)
 
 
 def withheld(lines: Sequence[Line], kept: choosing.Weights) -> list[list[tuple[Looks, bool]]]:
@@ -205,7 +208,13 @@ def main() -> None:
     """Fit, print what speakers that were withheld show, and write on demand."""
     kept = choosing.weights("english")
     assert kept is not None
-    found = list(lines())
+    kept_in = Path(sys.argv[sys.argv.index("--kept") + 1]) if "--kept" in sys.argv else None
+    if kept_in and kept_in.exists():
+        found = pickle.loads(kept_in.read_bytes())
+    else:
+        found = list(lines())
+        if kept_in:
+            kept_in.write_bytes(pickle.dumps(found))
     parts = withheld(found, kept)
     apart = [one for part in parts for one in part]
     right = [good for _, good in apart]

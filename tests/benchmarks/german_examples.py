@@ -36,6 +36,7 @@ FRESH = (
     "german_talk",
     "german_dev1",
     "german_dev2",
+    "german_dev3",
     "german_regions",
     "german_trades",
 )
