@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
+from assistant.cli.naming import task_path
 from assistant.errors import BadInput, NothingLearned, Problem
 
 if TYPE_CHECKING:
@@ -32,7 +33,11 @@ def arguments(parser: argparse.ArgumentParser) -> None:
     """Declare what the verb takes."""
     parser.add_argument("demonstrations", nargs="+", type=Path, metavar="DEMONSTRATION")
     parser.add_argument(
-        "--task", type=Path, required=True, metavar="TREE", help="the task as introduced"
+        "--task",
+        type=Path,
+        required=True,
+        metavar="TREE",
+        help="the task as introduced, or its name",
     )
     parser.add_argument("--together", action="store_true", help="all as one lesson")
     parser.add_argument("-o", "--out", type=Path, metavar="LEARNED", help="write the learned task")
@@ -73,7 +78,7 @@ def _read_all(tree: Path, paths: Sequence[Path]) -> tuple[Task, list[Demonstrati
     scenes: list[Scene] = []
     problems: list[Problem] = []
     try:
-        tasks.append(read_task(tree))
+        tasks.append(read_task(task_path(tree)))
     except BadInput as error:
         problems += error.problems
     for path in paths:
@@ -93,12 +98,14 @@ def _read_all(tree: Path, paths: Sequence[Path]) -> tuple[Task, list[Demonstrati
 def _shown(path: Path) -> Demonstration:
     """Return a demonstration; a recording alone is one in which nothing was said."""
     from assistant.files.demonstrations import read_demonstration
-    from assistant.files.recordings import read_recording
-    from assistant.model.demonstration import Demonstration
+    from assistant.files.kinds import read_known
+    from assistant.model.demonstration import Demonstration, Recording
 
-    if path.suffix.lower() != ".csv":
-        return read_demonstration(path)
-    return Demonstration(read_recording(path), source=str(path))
+    if path.suffix.lower() not in (".yaml", ".yml"):
+        told = read_known(path).value
+        if isinstance(told, Recording):
+            return Demonstration(told, source=str(path))
+    return read_demonstration(path)
 
 
 def _one(shown: Sequence[Demonstration], task: Task, scene: Scene, as_json: bool) -> Lesson | None:
@@ -129,9 +136,14 @@ def _write(
     task: Task, shown: Sequence[Demonstration], out: Path | None, figures: Path | None
 ) -> None:
     if out is not None:
+        from assistant.files.converting import ENDINGS, convert
+        from assistant.files.kinds import Known
         from assistant.files.tasks import write_task
 
-        write_task(task, out)
+        if out.suffix.lower() in ENDINGS["task"]:
+            convert(Known("task", task), out, out)
+        else:
+            write_task(task, out)
         print(f"wrote {out}", file=sys.stderr)
     if figures is not None:
         from assistant.shells.figures import write_figures

@@ -9,6 +9,7 @@ import pytest
 
 from assistant.cli import main
 from assistant.files.demonstrations import write_demonstration
+from assistant.files.library import library
 from assistant.files.setups import write_setups
 from assistant.files.tasks import read_task, write_task
 from assistant.model.demonstration import Recording
@@ -206,6 +207,26 @@ def test_a_recording_alone_is_a_demonstration_without_words(
         (line,) = told(capsys)
         told_of.append(line["segmentation_points_s"])
     assert told_of[0] == told_of[1]
+
+
+def test_whatever_can_be_converted_can_be_learned_from_and_written(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ASSISTANT_HOME", str(folder / "home"))
+    kept = library().save("my task", task())
+    cuts = []
+    for number, shown in enumerate(("shown.csv", "shown.npz", "columns.json", "shown.json")):
+        if not (folder / shown).exists():
+            first = "shown.yaml" if shown == "shown.json" else "shown.csv"
+            assert main(["convert", str(folder / first), str(folder / shown)]) == 0
+        out = folder / f"learned_{number}.json"
+        words = ["learn", str(folder / shown), "--task", "My task", "-o", str(out), "--json"]
+        assert main(words) == 0
+        (line,) = told(capsys)
+        cuts.append(line["segmentation_points_s"])
+        assert json.loads(out.read_text())["learned"]
+        assert replace(read_task(out), learned=None) == read_task(kept)
+    assert cuts == [cuts[0]] * 4
 
 
 def test_what_is_wrong_with_tree_and_demonstrations_is_told_at_once(
