@@ -6,7 +6,7 @@ a plain check (`sim.feasibility`) says cannot be reached, is drawn again.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import count
 from typing import Literal
@@ -86,10 +86,21 @@ def random_setups(
         yield random_setup(task, scene, seed, number, sector, random_start=random_start)
 
 
-def new_setup(task: Task, scene: Scene, setup: Setup, seed: int) -> Setup | None:
-    """Return a new reachable setup ahead of the robot, which starts where it did; else None."""
+def new_setup(
+    task: Task,
+    scene: Scene,
+    setup: Setup,
+    seed: int,
+    goes_on: Callable[[int], bool] = lambda drawn: True,
+) -> Setup | None:
+    """Return a new reachable setup ahead of the robot, which starts where it did; else None.
+
+    `goes_on` is asked before each draw, with how many there have been.
+    """
     random = np.random.default_rng(seed)
-    for _ in range(TRIES):
+    for drawn_before in range(TRIES):
+        if not goes_on(drawn_before):
+            return None
         drawn = drawn_setup(task, scene, random, "front", setup.robot_start)
         if drawn is not None and reachable(postures(task, scene, drawn), scene):
             return replace(drawn, name=f"new_{seed}")

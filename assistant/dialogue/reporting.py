@@ -28,7 +28,7 @@ from assistant.model.motion import GOING_ON, ArmReport, Refusal
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import Index, Primitive, primitives
 
-NAMED = ("no_setup",)
+NAMED = ("no_setup", "given_up")
 """Refusals that have a sentence of their own."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from typing import assert_never
 
@@ -11,12 +12,15 @@ from assistant.dialogue.state import Dialogue
 from assistant.errors import BadInput, NothingLearned
 from assistant.files.library import Library
 from assistant.model.motion import ArmReport, Refusal
+from assistant.model.robot_acts import RobotAct
 from assistant.session import halting, keeping
 from assistant.session.equipment import DrivenHand, Equipment
 from assistant.session.happenings import Store
 from assistant.session.motion import Mover
 
-NO_SETUP = "no_setup"
+NO_SETUP, GIVEN_UP = "no_setup", "given_up"
+LONG_LOOKED = 150
+"""After so many arrangements out of reach the teacher is told; mostly ten are enough."""
 HAND_KEYS = {"open": "o", "close": "c"}
 """While the hand is driven by keys, words about it press the keys that mean the same."""
 
@@ -53,6 +57,8 @@ class Workplace:
     """The hand that the teacher drives just now."""
     drawn: int = 0
     """How many new setups have been drawn; the next one's seed."""
+    tell: Callable[[RobotAct], None] = lambda line: None
+    """Says a line while something is under way that takes long."""
 
     def __post_init__(self) -> None:
         self.mover = Mover(self.equipment)
@@ -141,6 +147,17 @@ def learned(place: Workplace, effect: wanted.Learn) -> events.Learned:
     return events.Learned(lesson)
 
 
+def _looked_for(place: Workplace) -> Callable[[int], bool]:
+    """Return what is asked while a setup is looked for: it tells that it takes long, and stops."""
+
+    def goes_on(drawn: int) -> bool:
+        if drawn == LONG_LOOKED:
+            place.tell(RobotAct("report", "still_looking"))
+        return not place.equipment.stop_flag.is_set()
+
+    return goes_on
+
+
 def _arrange(place: Workplace, dialogue: Dialogue, effect: wanted.Arrange) -> events.Event | None:
     mover = place.mover
     if mover.moving and not mover.braking:
@@ -153,9 +170,13 @@ def _arrange(place: Workplace, dialogue: Dialogue, effect: wanted.Arrange) -> ev
         mover.arrange(scene, setup)
         return None
     place.drawn += 1
-    drawn = place.equipment.new_setup(dialogue.known.task, scene, setup, place.drawn)
+    goes_on = _looked_for(place)
+    drawn = place.equipment.new_setup(dialogue.known.task, scene, setup, place.drawn, goes_on)
     if drawn is None:
-        return events.Checked(setup, Refusal("setup", NO_SETUP))
+        stopped = place.equipment.stop_flag.is_set()
+        place.equipment.stop_flag.clear()
+        thing = next(iter(setup.places), "")
+        return events.Checked(setup, Refusal("setup", GIVEN_UP if stopped else NO_SETUP, thing))
     drawn = replace(drawn, name=f"new {place.drawn}")
     mover.arrange(scene, drawn)
     return events.Arranged(drawn, scene)

@@ -21,7 +21,7 @@ from assistant.ports import Arm, Hand, HandSample, Planner
 HandMaker = Callable[[Demonstrate, Task, Scene, Setup], Hand]
 """Makes the hand a ``demonstrate`` step asks for; a recording's path is absolute by then."""
 
-SetupMaker = Callable[[Task, Scene, Setup, int], Setup | None]
+SetupMaker = Callable[[Task, Scene, Setup, int, Callable[[int], bool]], Setup | None]
 """Returns a reachable setup drawn with a seed, or None where none was found."""
 
 

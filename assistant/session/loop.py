@@ -69,6 +69,7 @@ class Session:
         fed: bool = False,
     ) -> None:
         self.workplace = Workplace(equipment, library, Store(journal.folder))
+        self.workplace.tell = self.tell
         self.journal = journal
         self.out = out
         self.language = language
