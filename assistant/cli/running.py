@@ -63,12 +63,14 @@ def run_verb(argv: Sequence[str]) -> int:
         # The reader has left (`| head`): nobody is there to be told.
         streams.silence()
         return DONE
-    except Exception as error:
+    except (SystemExit, KeyboardInterrupt):
+        raise
+    except BaseException as error:  # the panic of a library written in Rust is no Exception
         return _ended(error, words[0])
     return status
 
 
-def _ended(error: Exception, verb: str) -> int:
+def _ended(error: BaseException, verb: str) -> int:
     """Tell what ended a verb, and return its status."""
     match error:
         case BadInput():
@@ -94,7 +96,7 @@ def _unusable(error: OSError) -> Problem:
     return Problem(str(error.filename), f"cannot be used ({error.strerror})", right)
 
 
-def _kept(error: Exception) -> str:
+def _kept(error: BaseException) -> str:
     """Keep the whole story of a fault in a file; return one line about it."""
     from assistant.files.home import home
 

@@ -14,7 +14,12 @@ from assistant.cli.running import VERBS
 from assistant.errors import BadInput, Problem, WorkFailed
 from assistant.files.shipped import shipped
 
+
 HEAVY = ("pybullet", "filterpy", "scipy", "numpy", "prompt_toolkit", "rich", "matplotlib")
+
+
+class Panic(BaseException):
+    """What a library written in Rust raises when it gives up: no Exception."""
 
 
 @pytest.mark.parametrize("verb", VERBS)
@@ -127,6 +132,7 @@ def test_a_wrong_flag_ends_with_2(capsys: pytest.CaptureFixture[str]) -> None:
         ),
         (KeyboardInterrupt(), 130, "interrupted"),
         (ZeroDivisionError("division by zero"), 1, "a fault of the program: ZeroDivisionError"),
+        (Panic("no clock"), 1, "a fault of the program: Panic: no clock"),
     ],
 )
 def test_errors_become_one_message_and_a_status(
@@ -147,4 +153,4 @@ def test_errors_become_one_message_and_a_status(
     assert told in err
     assert "Traceback" not in err
     kept = tmp_path / "faults.log"
-    assert kept.exists() == isinstance(fault, ZeroDivisionError)
+    assert kept.exists() == isinstance(fault, ZeroDivisionError | Panic)
