@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING
 from assistant.cli import DONE, FAILED
 from assistant.cli.adapters import LANGUAGES, arm_argument
 from assistant.cli.naming import task_path
+from assistant.cli.starting import as_started
 from assistant.cli.talking import make_talking, shown_and_spoken, voice_arguments
 from assistant.errors import AssistantError, BadInput
 from assistant.language.hints import page
@@ -166,4 +167,5 @@ def _tell_where(session: Session) -> None:
         return
     journal = session.journal
     told = page("terminal", session.language)["kept_where"]
-    print(told.format(path=journal.path, name=journal.name), file=sys.stderr)
+    command = as_started("teach", "--resume", journal.name)
+    print(told.format(path=journal.path, command=command), file=sys.stderr)

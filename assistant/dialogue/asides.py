@@ -13,6 +13,7 @@ from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, listed_steps, tidy_name
+from assistant.dialogue.no_things import no_thing
 from assistant.dialogue.plan_words import (
     added,
     called,
@@ -214,6 +215,7 @@ _REPLIES = (
     order_freed,
     told_several,
     slip,
+    no_thing,
     _late,
     _standing,
     _puzzled,

@@ -110,6 +110,19 @@ def listed_steps(text: str, room: int = 2, language: str = "english") -> tuple[s
     return steps if len(steps) > 1 and plain else ()
 
 
+def just_as_many(text: str, count: int, language: str = "english") -> tuple[str, ...]:
+    """Return the steps of a list that is as long as was said: not each verb need be known then.
+
+    "Two steps, grab the sponge and wipe the board", but nothing of "two steps, I think".
+    """
+    if count < 2 or "?" in text:
+        return ()
+    pieces = _split(text, (*hints("separators", language), *hints("joins", language)))
+    steps = tuple(filter(None, (tidy(piece, language) for piece in pieces)))
+    known = any(begins_or_ends_with_verb(step, language) for step in steps)
+    return steps if len(set(steps)) == count == len(steps) and known else ()
+
+
 def begins_or_ends_with_verb(step: str, language: str) -> bool:
     """Whether a step's verb stands where the language puts it: "lift the block", "Block heben"."""
     words = without_slips(step, (), language).lower().split()

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from assistant.dialogue.finding import find
-from assistant.dialogue.naming import is_nothing, listed_steps, number_of, tidy, tidy_name
+from assistant.dialogue.naming import (
+    is_nothing,
+    just_as_many,
+    listed_steps,
+    number_of,
+    tidy,
+    tidy_name,
+)
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing, Reviewing
 from assistant.dialogue.things import things_in
@@ -79,6 +86,7 @@ def counted_steps(
     head, _, tail = text.partition(":") if ":" in text else text.partition(",")
     count = recounted(head, dialogue.language)
     steps = listed_steps(tail, count or 2, dialogue.language)
+    steps = steps or just_as_many(tail, count or 0, dialogue.language)
     return (acts.Inform(count), acts.Inform(steps)) if count and steps else ()
 
 

@@ -17,6 +17,7 @@ from assistant.dialogue.naming import (
     Value,
     is_nothing,
     is_odd,
+    just_as_many,
     listed_steps,
     steps_in,
     tidy_name,
@@ -140,7 +141,7 @@ def _steps(told: Told, language: str) -> tuple[str, ...]:
         steps = (listed_steps if plain else steps_in)(told.text, room, language)
         if len(steps) > 1:
             return steps
-    return () if plain else steps
+    return just_as_many(told.text, told.count, language) if plain else steps
 
 
 def _note(noted: _Noted, state: Introducing, told: Told) -> _Noted:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from assistant.dialogue.sketch import names
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons
@@ -66,3 +68,17 @@ def test_fewer_named_than_said_are_asked_for() -> None:
         asked = Lessons(teacher.dialogue).tell(told)
         assert len(steps(asked)) == 2
         assert asked.lines[-1].slots["which"] == 3
+
+
+@pytest.mark.parametrize(
+    ("text", "steps"),
+    [
+        ("two steps, grab the sponge and wipe the board", ["grab the sponge", "wipe the board"]),
+        ("3 steps: grab it, polish it and leave it", ["grab it", "polish it", "leave it"]),
+        ("two steps, I think", ["", ""]),
+    ],
+)
+def test_a_list_as_long_as_was_said_needs_no_known_verbs(text: str, steps: list[str]) -> None:
+    teacher = Lessons().open().tell("task").tell("done so").tell(("block", "target"))
+    teacher.hear(acts.Inform(len(steps)), text=text)
+    assert [part.name for part in teacher.dialogue.known.root.parts] == steps

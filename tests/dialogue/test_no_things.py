@@ -1,0 +1,36 @@
+"""What was taken for a thing and is none is taken back by plain words."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.model import teacher_acts as acts
+from tests.dialogue.teaching import Lessons
+
+
+def asked_about(thing: str) -> Lessons:
+    teacher = Lessons().open().tell("task").tell("the block is on the target").tell((thing,))
+    assert teacher.asked == "body"
+    return teacher
+
+
+def test_no_to_the_size_of_what_is_no_thing_asks_for_the_things_again() -> None:
+    teacher = asked_about("greifen").hear(acts.Deny(), text="no")
+    assert teacher.asked == "objects"
+    assert teacher.dialogue.known.objects is None
+    assert teacher.hear(acts.Undo()).asked == "body"
+
+
+@pytest.mark.parametrize(
+    "text", ["no, the things are the block and the target", "I meant the block and the target"]
+)
+def test_the_things_that_are_told_instead_are_taken(text: str) -> None:
+    teacher = asked_about("greifen").hear(acts.Inform("block"), text=text)
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["block", "target"]
+    assert teacher.asked == "subtask_count"
+
+
+@pytest.mark.parametrize("text", ["no idea", "as wide as the block", "the block is 6 cm wide"])
+def test_other_words_take_nothing_back(text: str) -> None:
+    teacher = asked_about("lid").hear(acts.Unknown(), text=text)
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["lid"]
