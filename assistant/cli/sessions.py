@@ -40,4 +40,7 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _short(text: str) -> str:
+    from assistant.files.wording import one_line
+
+    text = one_line(text)
     return text if len(text) <= 60 else text[:57] + "..."

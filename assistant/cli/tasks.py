@@ -48,6 +48,8 @@ def run(args: argparse.Namespace) -> int:
 
 
 def _list(kept: Library, *, as_json: bool) -> None:
+    from assistant.files.wording import one_line
+
     rows = [_summary(kept, name) for name in kept.names()]
     if as_json:
         print(json.dumps({"folder": str(kept.folder), "tasks": rows}))
@@ -55,9 +57,10 @@ def _list(kept: Library, *, as_json: bool) -> None:
     if not rows:
         print(f"no tasks are kept yet in {kept.folder}; teach one: assistant teach")
     for row in rows:
+        goal = one_line(row["goal"])
         state = row["trouble"] or ("learned" if row["learned"] else "introduced")
         versions = f", {row['earlier']} earlier" if row["earlier"] else ""
-        print(f"{row['name']:<24} {state}{versions}  {row['goal']}".rstrip())
+        print(f"{row['name']:<24} {state}{versions}  {goal}".rstrip())
 
 
 def _summary(kept: Library, name: str) -> dict[str, Any]:

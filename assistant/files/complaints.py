@@ -74,8 +74,6 @@ def _shape(kind: str, given: Any, named: str, ctx: Mapping[str, Any]) -> tuple[s
             return f"{named}{short(given)} is not a text", hint
         case "string_too_short":
             return f"{named}{short(given)} is empty", "write a text"
-        case "string_too_long":
-            return f"{named}{short(given)} is too long", f"at most {ctx.get('max_length')} letters"
         case "too_long" | "too_short":
             needed = ctx.get("max_length", ctx.get("min_length"))
             return f"{named}{ctx.get('actual_length')} values", f"{needed} are needed"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -32,7 +33,7 @@ def find_setups(name: str, near: Path) -> tuple[tuple[Setup, ...], Path]:
     folder = near if near.is_dir() else near.parent
     # A folder names nothing: where the program stands is not where it is wrong.
     where = "setup" if near.is_dir() else str(near)
-    if (folder / name).is_file():
+    if os.path.isfile(folder / name):  # also of a name too long for a file
         return read_setups(folder / name), folder / name
     if name.endswith((".yaml", ".yml", ".json")):
         raise BadInput.one(where, f"there is no setup file {folder / name}", CHECK)

@@ -47,13 +47,13 @@ Whole = Annotated[int, Strict()]
 Count = Annotated[int, Strict(), Field(ge=0)]
 Truth = Annotated[bool, Strict()]
 Text = Annotated[str, StringConstraints(strict=True)]
+# No name is too long: what a teacher once said must be read again.
 Name = Annotated[
     str,
-    StringConstraints(strict=True, min_length=1, max_length=200),
+    StringConstraints(strict=True, min_length=1),
     AfterValidator(_one_line),
     Field(json_schema_extra={"pattern": r"^\S([^\x00-\x1f\x7f]*\S)?$"}),
 ]
-NameOrNone = Annotated[str, StringConstraints(strict=True, max_length=200)]
 Triple = tuple[Number, Number, Number]
 
 

@@ -13,7 +13,6 @@ from assistant.files.forms import (
     Count,
     Form,
     Name,
-    NameOrNone,
     Number,
     Positive,
     Probability,
@@ -46,7 +45,7 @@ class EpisodeForm(Form):
     to_s: Number
     primitive: Name | None
     probability: Probability
-    character: NameOrNone = ""
+    character: Text = ""
 
 
 class QuestionForm(Form):
@@ -54,7 +53,7 @@ class QuestionForm(Form):
 
     asked: Name
     about: Text = ""
-    reason: NameOrNone = ""
+    reason: Text = ""
     facts: dict[Text, Any] = Field(default_factory=dict)
 
 
@@ -71,7 +70,7 @@ class StationForm(Form):
     kind: Literal["grasp", "release", "touch"]
     object: Name
     frame: Name
-    primitive: NameOrNone
+    primitive: Text
     at: Count = Field(description="row of the path, counted from 0")
     docking_at: Count
     left_at: Count
@@ -92,9 +91,9 @@ class FeedbackForm(Form):
 
     kind: Literal["translate", "rotate", "speed", "hand"]
     words: Text
-    primitive: NameOrNone = ""
+    primitive: Text = ""
     when: Literal["before", "during", "after"] = "during"
-    frame: NameOrNone = ""
+    frame: Text = ""
     offset_m: Triple = (0.0, 0.0, 0.0)
     turn_rad: Triple = (0.0, 0.0, 0.0)
     factor: Positive = 1.0

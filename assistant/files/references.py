@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -58,7 +59,7 @@ def unknown_in_head(play: Transcript, path: Path) -> tuple[Problem, ...]:
 
 
 def _no_file(name: str, path: Path, where: str) -> tuple[Problem, ...]:
-    if (path.parent / name).is_file():
+    if os.path.isfile(path.parent / name):
         return ()
     return (Problem(where, f"there is no file {path.parent / name}", CHECK),)
 

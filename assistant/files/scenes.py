@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -11,10 +12,10 @@ from assistant.errors import BadInput
 from assistant.files.forms import (
     Form,
     Name,
-    NameOrNone,
     NotNegative,
     Number,
     Positive,
+    Text,
     Triple,
     check_format,
     the_document,
@@ -43,7 +44,7 @@ class BodyForm(Form):
     )
     grasp_rpy_deg: Triple = _PLAIN.grasp_rpy_deg
     normal: Triple = Field(_PLAIN.normal, description="surface normal of a target")
-    color: NameOrNone = ""
+    color: Text = ""
     hole_mm: Size = Field(
         _PLAIN.hole_mm, description="of a box with a hole from above: x, y and depth"
     )
@@ -76,7 +77,7 @@ class ObstacleForm(Form):
     size_mm: tuple[Positive, Positive, Positive]
     xyz_mm: Triple = Field(description="middle of its base")
     rpy_deg: Triple = (0.0, 0.0, 0.0)
-    color: NameOrNone = ""
+    color: Text = ""
 
     def obstacle(self) -> Obstacle:
         """Return the box described."""
@@ -129,7 +130,7 @@ def find_scene(name: str, near: Path) -> Scene:
     places = [folder, folder / "scenes", folder.parent / "scenes", shipped("tasks") / "scenes"]
     for place in places:
         path = place / f"{name}.yaml"
-        if path.is_file() and _is_scene(path):
+        if os.path.isfile(path) and _is_scene(path):
             return read_scene(path)
     where = "scene" if near.is_dir() else str(near)
     known = sorted({path.stem for place in places[1:] for path in place.glob("*.yaml")})

@@ -80,6 +80,11 @@ def feedback_words(feedback: Feedback) -> str:
     return f'"{feedback.words}": {change}{where}{frame}'
 
 
+def one_line(text: str) -> str:
+    """Return a text on one line, without signs that a terminal would obey."""
+    return " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())
+
+
 def numbers_words(values: Iterable[float]) -> str:
     """Return numbers with one digit behind the point."""
     return ", ".join(f"{round(value, 1) + 0.0:.1f}" for value in values)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -231,3 +232,24 @@ def test_help_has_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> N
         main([verb, "--help"])
     assert caught.value.code == 0
     assert f"example:\n  assistant {verb}" in capsys.readouterr().out
+
+
+def test_listing_tasks_obeys_no_sign_that_stands_in_them(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    library().save("it", replace(examples.task(), goal="one\n\x1b[31mtwo\x07"))
+    status, out, _ = run(capsys, "tasks")
+    assert status == 0
+    assert out.endswith("one [31mtwo\n")
+    assert out.count("\n") == 1
+
+
+@pytest.mark.parametrize("key", ["scene", "setup", "task"])
+def test_a_name_too_long_for_a_file_names_none(
+    key: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    head = "format: setup/1" if key == "scene" else "format: transcript/1\ntitle: t\nsteps: []"
+    Path("long.yaml").write_text(f"{head}\n{key}: {'ä' * 200}\n", encoding="utf-8")
+    status, _, err = run(capsys, "check", "long.yaml")
+    assert status == 0
+    assert f"warning: long.yaml{'' if key == 'scene' else ':4'}: there is no" in err

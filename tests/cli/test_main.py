@@ -14,7 +14,6 @@ from assistant.cli.running import VERBS
 from assistant.errors import BadInput, Problem, WorkFailed
 from assistant.files.shipped import shipped
 
-
 HEAVY = ("pybullet", "filterpy", "scipy", "numpy", "prompt_toolkit", "rich", "matplotlib")
 
 

@@ -16,7 +16,7 @@ from assistant.files.shipped import shipped
 from assistant.files.tasks import read_task, task_text, write_task
 from assistant.model.feedback import Feedback
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation
-from assistant.model.task import Task, TaskObject
+from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
 from tests.files import examples
 from tests.files.same import same
 
@@ -201,3 +201,10 @@ def test_empty_and_double_files_are_told(tmp_path: Path) -> None:
         read_task(written(tmp_path, "# nothing\n"))
     with pytest.raises(BadInput, match=":13: a second document begins"):
         read_task(written(tmp_path, f"{TREE}---\n{TREE}"))
+
+
+def test_no_name_is_too_long_to_be_read_again(tmp_path: Path) -> None:
+    name = "put the block on the target " * 50 + "at last"
+    long = Task(name, Subtask(name, (Primitive(f"{name}!", Action("free", name)),)), name)
+    write_task(long, tmp_path / "t.yaml")
+    assert read_task(tmp_path / "t.yaml") == long
