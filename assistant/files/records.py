@@ -49,7 +49,8 @@ class _Record:
             yield self._told("goal", goal=task.goal)
         if task.objects:
             roles = self.words["roles"]
-            told = ", ".join(f"{each.name} ({roles[each.role]})" for each in task.objects)
+            things = ((self._thing(each.name), roles[each.role]) for each in task.objects)
+            told = ", ".join(f"{name} ({role})" for name, role in things)
             yield self._told("objects", objects=told)
         yield f"\n## {self.words['steps']}\n"
         yield from self._parts(task.tree, 0)
@@ -103,8 +104,9 @@ class _Record:
 
     def _docking(self, one: Station) -> tuple[str, ...]:
         mm, deg = pose_to_mm_deg(one.docking_in_frame)
-        kind, frame = self.words["dockings"][one.kind], self.words["frames"].get(one.frame)
-        return kind, one.object, frame or one.frame, self._numbers(mm), self._numbers(deg)
+        kind, world = self.words["dockings"][one.kind], self.words["frames"].get(one.frame)
+        names = self._thing(one.object), world or self._thing(one.frame)
+        return kind, *names, self._numbers(mm), self._numbers(deg)
 
     def _correction(self, one: Feedback) -> str:
         turned = (float(np.rad2deg(angle)) for angle in one.turn_rad)
@@ -114,9 +116,13 @@ class _Record:
             factor=self._number(one.factor, ".2f"),
         )
         where = self.words["where"][one.when].format(step=one.primitive) if one.primitive else ""
-        frame = self.words["moves_with"].format(frame=one.frame) if one.frame else ""
+        frame = self.words["moves_with"].format(frame=self._thing(one.frame)) if one.frame else ""
         told = {"words": one.words, "change": change, "where": where, "frame": frame}
         return str(self.words["correction"].format(**told))
+
+    def _thing(self, name: str) -> str:
+        """Return a thing's name; those of the shipped scenes have one in each language."""
+        return in_words(name, self.language)
 
     def _numbers(self, values: Iterable[float]) -> str:
         told = (self._number(round(value, 1) + 0.0, ".1f") for value in values)

@@ -14,6 +14,7 @@ from rich.console import Console, Group, RenderableType
 from rich.table import Table
 from rich.text import Text
 
+from assistant.dialogue.conditions import plain_conditions
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.turn import plain_action
 from assistant.language.hints import page
@@ -79,8 +80,8 @@ def redrawn(session: Session, line: RobotAct) -> RenderableType | None:
 
 
 def _tree(session: Session, labels: Labels) -> RenderableType:
-    told = partial(_does, language=session.language)
-    return task_tree(session.dialogue.known.task, labels, told)
+    words = (partial(how, language=session.language) for how in (_does, _holds))
+    return task_tree(session.dialogue.known.task, labels, *words)
 
 
 def _motions(known: Knowledge, language: str) -> Labels:
@@ -92,6 +93,16 @@ def _motions(known: Knowledge, language: str) -> Labels:
 
 def _does(leaf: Primitive, language: str) -> str:
     return in_words(plain_action(leaf.action), language, kind="action")
+
+
+def _holds(leaf: Primitive, language: str) -> str:
+    """Return what holds before a step and at its end, in the words of a record."""
+    labels, told = page("record", language), []
+    for when, held in (("before", leaf.before), ("until", leaf.until)):
+        if held:
+            holds = in_words(plain_conditions(held), language, kind="conditions")
+            told.append(str(labels[when]).format(conditions=holds))
+    return "; ".join(told)
 
 
 def _of_lesson(
@@ -151,7 +162,7 @@ def path_picture(
     lines.append(str(words["height"]).format(low=round(low[2]), high=round(high[2])))
     heights = curves.sampled(path.t_s, xyz_mm[:, 2] - low[2], columns)
     lines += curves.bars(heights, rows=3, blocks=blocks)
-    return "\n".join([*lines, curves.axis(path.t_s, columns)])
+    return "\n".join([*lines, curves.axis(path.t_s, columns, words["labels"].get(".", "."))])
 
 
 def rendered(shown: RenderableType, width: int) -> str:

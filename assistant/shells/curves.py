@@ -64,9 +64,10 @@ def marks(at_s: Sequence[float], t_s: Array, columns: int, mark: str) -> str:
     return "".join(line).rstrip()
 
 
-def axis(t_s: Array, columns: int, unit: str = "s") -> str:
+def axis(t_s: Array, columns: int, decimal: str = ".") -> str:
     """Return a line that tells the first and last instant below a picture."""
-    first, last = f"{t_s[0]:.1f}", f"{t_s[-1]:.1f} {unit}"
+    first, last = (f"{at:.1f}".replace(".", decimal) for at in (t_s[0], t_s[-1]))
+    last = f"{last} s"
     return f"{first}{last.rjust(max(columns - len(first), 1))}"
 
 

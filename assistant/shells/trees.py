@@ -22,6 +22,7 @@ COLUMNS = 60
 Labels = Mapping[str, str]
 """What is written over tables and beside trees in another language; the rest is as it is."""
 NO_LABELS: Labels = {}
+_Words = Callable[[Primitive], tuple[str, str]]
 
 
 def task_view(task: Task) -> RenderableType:
@@ -41,6 +42,7 @@ def task_tree(
     task: Task,
     labels: Labels = NO_LABELS,
     told: Callable[[Primitive], str] = action_words,
+    held: Callable[[Primitive], str] = conditions_words,
 ) -> Tree:
     """Return the tree with actions and conditions, numbered as people refer to it.
 
@@ -50,16 +52,16 @@ def task_tree(
     labels : mapping
     told : callable
         Words for what a primitive does.
+    held : callable
+        Words for what holds before it and at its end.
     """
     goal = f"[dim]: {escape(task.goal)}[/dim]" if task.goal else ""
     tree = Tree(f"[bold]{escape(task.name)}[/bold]{goal}")
-    _add_parts(tree, task.tree, "", labels, told)
+    _add_parts(tree, task.tree, "", labels, lambda part: (told(part), held(part)))
     return tree
 
 
-def _add_parts(
-    tree: Tree, subtask: Subtask, number: str, labels: Labels, told: Callable[[Primitive], str]
-) -> None:
+def _add_parts(tree: Tree, subtask: Subtask, number: str, labels: Labels, told: _Words) -> None:
     any_order, optional_word = (labels.get(one, one) for one in ("in any order", "optional"))
     if subtask.order == "any" and len(subtask.parts) > 1:
         tree.label = f"{tree.label} [dim]({any_order})[/dim]"
@@ -71,13 +73,9 @@ def _add_parts(
             branch = tree.add(f"{here} [bold]{escape(part.name)}[/bold]{goal}{optional}")
             _add_parts(branch, part, f"{here}.", labels, told)
         else:
-            leaf = f"{here} {escape(part.name)} [dim]({escape(told(part))})[/dim]{optional}"
-            tree.add(leaf + _conditions(part))
-
-
-def _conditions(primitive: Primitive) -> str:
-    told = conditions_words(primitive)
-    return f"\n[dim]{escape(told)}[/dim]" if told else ""
+            does, holds = told(part)
+            leaf = f"{here} {escape(part.name)} [dim]({escape(does)})[/dim]{optional}"
+            tree.add(leaf + (f"\n[dim]{escape(holds)}[/dim]" if holds else ""))
 
 
 def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
@@ -95,8 +93,7 @@ def lesson_views(lesson: Lesson) -> Iterator[RenderableType]:
 def segmentation_views(lesson: Lesson, labels: Labels = NO_LABELS) -> Iterator[RenderableType]:
     """Yield the course of the vote, the cuts and the episodes."""
     if len(lesson.segmentation.vote_t_s) > 1:
-        title = labels.get("votes", "votes")
-        yield curves.Picture(lambda blocks, wide: votes_picture(lesson, blocks, wide, title=title))
+        yield curves.Picture(lambda blocks, wide: votes_picture(lesson, blocks, wide, labels))
     if lesson.segmentation.points:
         yield _points(lesson.segmentation.points, labels)
     if lesson.segmentation.episodes:
@@ -117,15 +114,15 @@ def _summary(lesson: Lesson) -> str:
 
 
 def votes_picture(
-    lesson: Lesson, blocks: str, columns: int = COLUMNS, *, title: str = "votes"
+    lesson: Lesson, blocks: str, columns: int = COLUMNS, labels: Labels = NO_LABELS
 ) -> str:
     """Return the course of the vote with a mark at each cut."""
     cuts = lesson.segmentation
     lines = [
-        title,
+        labels.get("votes", "votes"),
         *curves.bars(curves.sampled(cuts.vote_t_s, cuts.vote, columns), blocks=blocks),
         curves.marks(cuts.cuts_s, cuts.vote_t_s, columns, "|"),
-        curves.axis(cuts.vote_t_s, columns),
+        curves.axis(cuts.vote_t_s, columns, labels.get(".", ".")),
     ]
     return "\n".join(lines)
 
@@ -139,14 +136,24 @@ def _table(title: str, *columns: str, labels: Labels = NO_LABELS) -> Table:
     return table
 
 
+def _number(value: float, labels: Labels) -> str:
+    """Return a number with the mark for decimals that the labels name."""
+    return f"{value:.2f}".replace(".", labels.get(".", "."))
+
+
+def _joint(labels: Labels) -> str:
+    return "; " if labels.get(".") == "," else ", "
+
+
 def _points(points: Sequence[SegmentationPoint], labels: Labels) -> Table:
     table = _table("cuts", "at s", "confidence", "kind", "votes", labels=labels)
     for point in points:
         kind = "eliminated" if not point.kept else "inside one" if point.internal else "cut"
         shown = ((labels.get(name, name), vote) for name, vote in point.votes.items())
-        votes = ", ".join(f"{name} {vote:.2f}" for name, vote in shown)
+        votes = _joint(labels).join(f"{name} {_number(vote, labels)}" for name, vote in shown)
         style = "" if point.kept and not point.internal else "dim"
-        row = (f"{point.at_s:.2f}", f"{point.confidence:.0%}", labels.get(kind, kind), votes)
+        at_s = _number(point.at_s, labels)
+        row = (at_s, f"{point.confidence:.0%}", labels.get(kind, kind), votes)
         table.add_row(*map(escape, row), style=style)
     return table
 
@@ -158,8 +165,8 @@ def _episodes(lesson: Lesson, labels: Labels) -> Table:
     for number, episode in enumerate(lesson.segmentation.episodes, start=1):
         row = (
             str(number),
-            f"{episode.from_s:.2f}",
-            f"{episode.to_s:.2f}",
+            _number(episode.from_s, labels),
+            _number(episode.to_s, labels),
             episode.primitive or labels.get(unknown, unknown),
             f"{episode.probability:.0%}",
             labels.get(episode.character, episode.character),

@@ -10,6 +10,7 @@ import pytest
 from assistant.model.robot_acts import RobotAct
 from assistant.session.loop import Session
 from assistant.shells.answering import picture, redrawn, rendered
+from tests.files.examples import lesson, task
 from tests.session.lessons import Heard, hold, opened
 
 
@@ -114,3 +115,30 @@ def test_in_german_nothing_drawn_is_in_english(
     ):
         text = text.replace(name, "")
     assert [one for one in ENGLISH if one in text] == []
+
+
+def _german(topic: str) -> str:
+    """Return what a German session draws when it is asked about a task with all there is."""
+    told = task(lesson())
+    known = SimpleNamespace(task=told, lesson=told.learned, setup=SimpleNamespace(places={}))
+    session = SimpleNamespace(language="german", dialogue=SimpleNamespace(known=known))
+    drawn = picture(cast("Session", session), RobotAct("told", topic=topic))
+    assert drawn is not None
+    return rendered(drawn, 100)
+
+
+@pytest.mark.parametrize(
+    ("topic", "seen", "unseen"),
+    [
+        ("tree", ["bis: ", "vorher: die Hand ist offen", "(darf wegfallen)"], ["until", "before"]),
+        ("episodes", ["Abschnitte", "1,25", "nach unten"], ["1.25", "down", "votes", "cuts"]),
+        ("trajectory", ["Weg von oben", "0,0"], ["path", "height", "0.0"]),
+    ],
+)
+def test_a_german_session_draws_german(
+    topic: str, seen: list[str], unseen: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    text = _german(topic)
+    assert [each for each in seen if each not in text] == []
+    assert [each for each in unseen if each in text] == []
