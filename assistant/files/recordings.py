@@ -28,6 +28,8 @@ MOST_PROBLEMS = 20
 FEWEST_SAMPLES = 3
 FARTHEST_M = 20.0
 WIDEST_M = 1.0
+SELDOM_S = 5.0
+"""Samples mostly farther apart than this, in s, show no motion: their times are told otherwise."""
 NEARLY_UNIT = 0.05
 """A quaternion this far from length 1 is rounding of a log; beyond, it is something else."""
 EXACTLY_UNIT = 1e-12
@@ -203,6 +205,7 @@ def _problems(table: Array, lines: Places, *, whole: bool) -> list[Problem]:
             "qx,qy,qz,qw of a rotation",
         ),
         *_too_far(table, lines),
+        *_too_seldom(table, lines),
         *(_too_few(table, lines) if whole else ()),
     ]
 
@@ -239,6 +242,17 @@ def _too_far(table: Array, lines: Places) -> list[Problem]:
         what = f"the gripper is open by more than {WIDEST_M:.0f} m"
         problems += _at(wide[:1], lines, what, "gripper_m is in metres (is this mm?)")
     return problems
+
+
+def _too_seldom(table: Array, lines: Places) -> list[Problem]:
+    """Complain about times that can only be milliseconds."""
+    with np.errstate(over="ignore"):
+        steps_s = np.diff(table[:, 0])
+    steps_s = steps_s[steps_s > 0]
+    if len(steps_s) == 0 or np.median(steps_s) <= SELDOM_S:
+        return []
+    what = f"the samples are {np.median(steps_s):g} s apart"
+    return _at(np.array([0]), lines, what, "t_s is in seconds (is this ms?)")
 
 
 def _at(rows: Numbers, lines: Places, what: str, right: str) -> list[Problem]:

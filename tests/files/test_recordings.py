@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.errors import BadInput
+from assistant.files.columns import COLUMNS
 from assistant.files.demonstrations import read_demonstration, write_demonstration
 from assistant.files.kinds import read_known
 from assistant.files.oddities import odd_demonstration, odd_recording
@@ -180,3 +181,15 @@ def test_demonstrations_tell_what_is_missing_and_what_was_said_too_late(tmp_path
     assert "'then' at 99 s is outside the recording" in str(told[0])
     known = read_known(path)
     assert (known.kind, known.recording, len(known.warnings)) == ("demonstration", "r.csv", 1)
+
+
+def test_times_in_milliseconds_are_refused_and_a_slow_camera_is_not() -> None:
+    rows = [f"{{}},0.{k},0.2,0.6,0,0,0,1,0.05" for k in range(1, 9)]
+
+    def told(step: float) -> str:
+        lines = [row.format(step * k) for k, row in enumerate(rows)]
+        return "\n".join([",".join(COLUMNS), *lines])
+
+    with pytest.raises(BadInput, match=r"r\.csv:2.*20 s apart.*is this ms\?"):
+        recording_of(told(20.0), "r.csv")
+    assert len(recording_of(told(2.0), "r.csv").t_s) == 8
