@@ -198,13 +198,16 @@ def _touched(work: _Work, q: Array, flags: Flags) -> Refusal | None:
             continue
         touch = phase.touches(q[chosen], work.fine.gripper_m[chosen], chosen)
         if not touch.free:
-            return _collision(work.fine, touch, int(chosen[touch.worst]))
+            return _collision(work.fine, phase, touch, int(chosen[touch.worst]))
     return None
 
 
-def _collision(fine: FinePath, touch: Touch, sample: int) -> Refusal:
+def _collision(fine: FinePath, phase: Phase, touch: Touch, sample: int) -> Refusal:
     deep = 1000.0 * max(-float(touch.gap[touch.worst]), 0.0)
-    return Refusal("collision", place_name(fine, sample), touch.thing, deep, "mm", "clear")
+    # A table cannot be cleared away: what stands on it is too low for the hand.
+    table = any(thing.bears and thing.name == touch.thing for thing in phase.things)
+    hint = "higher" if table else "clear"
+    return Refusal("collision", place_name(fine, sample), touch.thing, deep, "mm", hint)
 
 
 def _note(work: _Work, kept: Array, first: int, last: int) -> str:
@@ -273,7 +276,7 @@ def _touched_on_the_way(work: _Work, result: Timed, owner: Indices) -> Refusal |
             continue
         touch = phase.touches(result.q[chosen], gripper_m[chosen], owner[chosen])
         if float(touch.gap[touch.worst]) < -NEARER_M:
-            return _collision(work.fine, touch, int(owner[chosen[touch.worst]]))
+            return _collision(work.fine, phase, touch, int(owner[chosen[touch.worst]]))
     return None
 
 

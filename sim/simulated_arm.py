@@ -15,7 +15,7 @@ import numpy as np
 from assistant.errors import WorkFailed
 from assistant.geometry import IDENTITY, Array, compose, inverse
 from assistant.model.motion import ArmReport, HandStop, JointPath, ReportKind
-from assistant.model.placing import states, told_bodies
+from assistant.model.placing import states, told_bodies, turned_back
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
@@ -246,7 +246,7 @@ class SimulatedArm:
             return
         stop = playback.pending[0]
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
-        seen = self._sensor.look(in_hand)
+        seen = turned_back(self._scene.bodies[held], self._sensor.look(in_hand), supposed)
         offset = release_offset(supposed, seen)
         if offset is None:
             self._misfit = slipped(held, supposed, seen)

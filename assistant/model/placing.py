@@ -87,6 +87,29 @@ def base_corners(body: Body) -> Array:
     return np.column_stack([signs * [half_x, half_y], np.zeros(4)])
 
 
+def is_round(body: Body) -> bool:
+    """Return whether a body looks the same however it is turned about its vertical axis."""
+    return body.shape != "box" and body.size_mm[0] == body.size_mm[1]
+
+
+def turned_back(body: Body, pose: Array, place: Array) -> Array:
+    """Return a body's pose, shape (7,), turned as its place is as far as that cannot be seen.
+
+    A round body turns about its axis, a ball about its middle.
+    """
+    if not is_round(body):
+        return pose
+    back = compose(inverse(pose), place)[3:]
+    if body.shape != "sphere":
+        # The part of the turn that is about the axis.
+        about = np.array([0.0, 0.0, back[2], back[3]])
+        length = float(np.linalg.norm(about))
+        back = about / length if length > 0.0 else np.array(IDENTITY[3:])
+    up_m = body.size_mm[2] / 2000.0 if body.shape == "sphere" else 0.0
+    middle = np.array([0.0, 0.0, up_m])
+    return compose(pose, np.concatenate([middle - rotate_vector(back, middle), back]))
+
+
 def alignment(body: Body, pose: Array, place: Array, target: str) -> Alignment:
     """Return the worst distance between a corner and its place, and the angle between edges.
 
@@ -94,10 +117,11 @@ def alignment(body: Body, pose: Array, place: Array, target: str) -> Alignment:
     ----------
     body : Body
     pose, place : array, shape (7,)
-        Middle of the body's base, as it is and as it should be.
+        Middle of the body's base, as it is and as it should be. How a round body is turned
+        about its axis does not count, nor how a ball is turned at all.
     target : str
     """
-    corners = base_corners(body)
+    corners, pose = base_corners(body), turned_back(body, pose, place)
     gaps = transform_points(pose, corners) - transform_points(place, corners)
     worst = float(np.max(np.sqrt(np.sum(gaps * gaps, axis=-1))))
     angle = float(angle_between(pose, place))
@@ -124,6 +148,7 @@ def is_above(gap: Array) -> NDArray[np.bool_]:
 
 def rests_on(scene: Scene, name: str, target: str, pose: Array, place: Array) -> bool:
     """Return whether an object lies on a target: at its surface, upright, its middle above it."""
+    pose = turned_back(scene.bodies[name], pose, place)
     gap = rotate_vector(quat_inverse(place[3:]), pose[:3] - place[:3])
     surface = scene.bodies.get(target) or scene.bodies[name]
     half_x, half_y = surface.size_mm[0] / 2000.0, surface.size_mm[1] / 2000.0

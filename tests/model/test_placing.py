@@ -82,3 +82,30 @@ def test_alignment_tells_where_a_body_lies_seen_from_its_told_place() -> None:
     assert found.distance_mm == pytest.approx(0.0, abs=1e-9)
     assert (found.x_mm, found.y_mm) == pytest.approx(tuple(1000.0 * (pose - told)[:2]), abs=1e-9)
     assert np.hypot(found.x_mm, found.y_mm) == pytest.approx(5.0)
+
+
+@given(deg=st.floats(-180.0, 180.0), shape=st.sampled_from(["cylinder", "cup"]))
+def test_how_a_round_body_is_turned_about_its_axis_does_not_count(deg: float, shape: str) -> None:
+    bowl = Body("bowl", "cup" if shape == "cup" else "cylinder", (60.0, 60.0, 70.0))
+    pose = compose(PLACE, pose_from_mm_deg((0.6, -0.2, 0), (0, 0, deg)))
+    found = alignment(bowl, pose, PLACE, "target")
+    assert found.distance_mm == pytest.approx(np.hypot(0.6, 0.2), abs=1e-9)
+    assert found.angle_deg == pytest.approx(0.0, abs=1e-6)
+    assert in_line(bowl, pose, PLACE, "target")
+    leaning = compose(pose, pose_from_mm_deg((0, 0, 0), (0, 3, 0)))
+    assert alignment(bowl, leaning, PLACE, "target").angle_deg == pytest.approx(3.0, abs=1e-6)
+    # What is oval, or has edges, shows how it is turned.
+    oval = replace(bowl, size_mm=(60.0, 50.0, 70.0))
+    assert alignment(oval, pose, PLACE, "target").angle_deg == pytest.approx(abs(deg), abs=1e-6)
+
+
+@given(st.floats(-180.0, 180.0), st.floats(-180.0, 180.0), st.floats(-180.0, 180.0))
+def test_a_ball_is_where_its_middle_is_however_it_has_rolled(a: float, b: float, c: float) -> None:
+    ball = Body("ball", "sphere", (40.0, 40.0, 40.0))
+    middle = compose(PLACE, pose_from_mm_deg((0, 0, 20), (a, b, c)))
+    pose = compose(middle, pose_from_mm_deg((0, 0, -20), (0, 0, 0)))
+    found = alignment(ball, pose, PLACE, "target")
+    assert found.distance_mm == pytest.approx(0.0, abs=1e-6)
+    assert found.angle_deg == pytest.approx(0.0, abs=1e-5)
+    scene = Scene(bodies={"ball": ball, "mark": Body("mark", size_mm=(80.0, 60.0, 0.0))})
+    assert rests_on(scene, "ball", "mark", pose, PLACE)

@@ -102,3 +102,13 @@ def test_the_longest_name_is_meant() -> None:
     places = {name: Place("body", (500.0, 0.0, 240.0)) for name in bodies}
     why = Refusal("reach", "grasp of red cup")
     assert concerned(why, Setup(places=places)) == "red cup"
+
+
+def test_what_is_too_low_for_the_hand_is_to_stand_higher() -> None:
+    low = Body("block", size_mm=(60.0, 40.0, 40.0), grasp_xyz_mm=(-134.1, 0.0, 30.0))
+    where = replace(scene(), bodies={**scene().bodies, "block": low})
+    told = setup((500.0, 240.0, 270.0), 20.0, (500.0, -240.0, 300.0), -20.0)
+    why = refused(told, where)
+    assert why is not None
+    assert (why.reason, why.what, why.hint) == ("collision", "table", "higher")
+    assert advised(why, PLAN, where, told, PLANNER).hint == "higher"

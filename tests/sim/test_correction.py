@@ -19,6 +19,7 @@ from assistant.geometry import (
     pose_from_mm_deg,
 )
 from assistant.model.motion import JointPath
+from assistant.model.placing import turned_back
 from assistant.model.scene import Body, Obstacle, Scene
 from sim import a465
 from sim.correction import checked, corrected, release_offset, slipped
@@ -164,3 +165,14 @@ def test_misplaced_bodies_stay_within_the_noise() -> None:
         moved = PlaceNoise(0.001, 1.0, seed).misplaced({"block": PLACE}, scene)["block"]
         assert float(distance_between(moved, PLACE)) <= 0.001
         assert float(angle_between(moved, PLACE)) <= np.deg2rad(1.0) + 1e-12
+
+
+def test_how_a_round_body_is_turned_in_the_hand_is_not_corrected() -> None:
+    cup = Body("cup", "cup", (70.0, 70.0, 80.0))
+    supposed = inverse(cup.hand_in_body)
+    seen = compose(supposed, pose_from_mm_deg((0.4, 0.0, 0.0), (0.0, 0.0, 25.0)))
+    assert release_offset(supposed, seen) is None
+    offset = release_offset(supposed, turned_back(cup, seen, supposed))
+    assert offset is not None
+    assert float(angle_between(offset, IDENTITY)) < 1e-9
+    assert float(np.linalg.norm(offset[:3])) == pytest.approx(0.0004, abs=1e-9)
