@@ -24,6 +24,8 @@ SLOW_REPLAY = 0.5
 _DOUBTED = "doubtfully_shown"
 """Why learning asks whether a step was shown though it took a part for it."""
 
+_WORTH_A_WORD_S = 5.0
+
 
 def learned(dialogue: Dialogue, event: Learned) -> Turn:
     """Tell what was understood of the demonstration, or why nothing was."""
@@ -108,7 +110,17 @@ def read_back(known: Knowledge) -> RobotAct:
         count=len(episodes),
         episodes=episodes,
         cue_lag_s=None if lag is None else round(lag, 1),
+        waited_s=_waited_s(lesson) if lesson else None,
     )
+
+
+def _waited_s(lesson: Lesson) -> int | None:
+    """Return how long the teacher stood still and the robot will not, if worth a word."""
+    found, path = lesson.segmentation.episodes, lesson.path
+    if path is None or not found:
+        return None
+    left_out_s = found[-1].to_s - found[0].from_s - float(path.t_s[-1])
+    return round(left_out_s) if left_out_s >= _WORTH_A_WORD_S else None
 
 
 def review(dialogue: Dialogue, state: Reviewing, act: acts.TeacherAct, words: str = "") -> Turn:

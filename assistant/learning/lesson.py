@@ -20,6 +20,7 @@ from assistant.learning.signals import gripper_events
 from assistant.learning.smoothing import smooth
 from assistant.learning.stations import Visit, frames, told_for_hand, touches, visits
 from assistant.learning.structure import optional_questions, order_questions
+from assistant.learning.waiting import without_waits
 from assistant.model.demonstration import Demonstration
 from assistant.model.lesson import LearnedPath, Lesson, Segmentation, Station
 from assistant.model.motion import Indices
@@ -133,9 +134,12 @@ def _learn_one(
     acted = visits(task, events, found.episodes)
     seen = (*acted, *touches(task, found.episodes, acted))
     seen = tuple(sorted(seen, key=lambda visit: visit.at_s))
-    even = sampled(smoothed, [visit.at_s for visit in seen], context.given)
+    acts_s = np.array([visit.at_s for visit in seen])
+    moving, clock = without_waits(smoothed, acts_s.tolist(), context.given)
+    even = sampled(moving, clock.shortened(acts_s).tolist(), context.given)
+    even = replace(even, shown_s=clock.shown(even.shown_s))
     step_s = float(even.t_s[1] - even.t_s[0])
-    lesson = replace(lesson, jerk_m_s3=shown_jerk(smoothed, step_s))
+    lesson = replace(lesson, jerk_m_s3=shown_jerk(moving, step_s))
     return _generalized(context, lesson, even, seen)
 
 

@@ -279,3 +279,18 @@ def test_a_step_named_in_full_is_the_one_that_is_meant(act: acts.TeacherAct, tex
 
 def test_splitting_what_was_shown_tells_whether_it_must_be_shown() -> None:
     assert "done.split_look" in Lessons().learned().hear(acts.Split(STEPS[0])).topics
+
+
+def test_who_waited_long_is_told_that_it_is_left_out() -> None:
+    quick = lesson()
+    assert quick.path is not None
+    long = tuple(replace(one, to_s=one.to_s + 60.0) for one in quick.segmentation.episodes[-1:])
+    episodes = (*quick.segmentation.episodes[:-1], *long)
+    slow = replace(quick, segmentation=replace(quick.segmentation, episodes=episodes))
+    texts = []
+    for learned in (quick, slow):
+        teacher = Lessons().confirmed().hear(acts.Start()).hear(acts.Approve())
+        teacher.happen(ev.Shown(demonstration())).happen(ev.Learned(learned))
+        texts.append(phrase(teacher.lines[0]))
+    assert "waited" not in texts[0]
+    assert "you waited 60 s in all; I leave that out" in texts[1]

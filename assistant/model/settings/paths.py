@@ -40,6 +40,13 @@ class GeneralizationSettings:
     """The hand rests at least so long while the gripper acts."""
     rest_m_s: float = 0.015
     """A hand slower than this is taken to rest."""
+    rest_rad_s: float = 0.1
+    """And if it turns slower than this."""
+    longest_rest_s: float = 2.0
+    """A longer rest is cut to this: its teacher was thinking, or looking for a key."""
+    rest_within_m: float = 0.002
+    rest_within_rad: float = 0.02
+    """A hand that strays further from where its rest began is creeping, not resting."""
     easing_s: float = 0.3
     """Stretch of demonstrated motion that is braked where the hand acted without resting."""
     least_travel_m: float = 0.003
