@@ -112,7 +112,7 @@ def _of_lesson(
         return Group(*segmentation_views(lesson, labels))
     path = lesson.path
     if topic == "trajectory" and path is not None:
-        spots = tuple((station.frame, station.at) for station in lesson.stations)
+        spots = tuple((labels.get(one.frame, one.frame), one.at) for one in lesson.stations)
         return curves.Picture(lambda blocks, wide: path_picture(path, spots, words, blocks, wide))
     return None
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from assistant.geometry import Array, transform_points
+from assistant.language.speech import in_words
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.ports import ArmLook
 
@@ -78,7 +79,9 @@ def sights(points_mm: Points, rows: int, columns: int, *, facing: bool) -> tuple
     )
 
 
-def drawn(sight: Sight, look: ArmLook, scene: Scene, tip: Array) -> tuple[str, ...]:
+def drawn(
+    sight: Sight, look: ArmLook, scene: Scene, tip: Array, language: str = "english"
+) -> tuple[str, ...]:
     """Return a picture's lines: bodies by their letters, the table's top, the hand.
 
     Parameters
@@ -88,6 +91,8 @@ def drawn(sight: Sight, look: ArmLook, scene: Scene, tip: Array) -> tuple[str, .
     scene : Scene
     tip : array, shape (7,)
         The point between the fingers, seen from the flange: ``+``, and ``*`` of a closed hand.
+    language : str
+        That bodies are named in.
     """
     picture = [[EMPTY] * sight.columns for _ in range(sight.rows)]
 
@@ -98,7 +103,7 @@ def drawn(sight: Sight, look: ArmLook, scene: Scene, tip: Array) -> tuple[str, .
     if sight.up == 2:
         for table in scene.tables:
             put(_top(table, sight.cell_mm), TABLE)
-    letters = marks(scene.bodies)
+    letters = marks(scene.bodies, language)
     for name, pose in look.bodies.items():
         if name in scene.bodies:
             put(_filled(scene.bodies[name], pose, sight.cell_mm), letters[name])
@@ -134,11 +139,12 @@ def _spread(size_mm: float, step_mm: float) -> Array:
     return np.linspace(-0.4, 0.4, max(int(size_mm / step_mm) + 1, 2)) * size_mm
 
 
-def marks(names: Iterable[str]) -> dict[str, str]:
-    """Return a letter for each name that no other name has."""
+def marks(names: Iterable[str], language: str = "english") -> dict[str, str]:
+    """Return a letter for each name, of what the robot calls it, that no other name has."""
     chosen: dict[str, str] = {}
     for name in names:
-        letters = (*(letter for letter in name.upper() if letter.isalpha()), *"0123456789")
+        told = in_words(name, language).upper()
+        letters = (*(letter for letter in told if letter.isalpha()), *"0123456789")
         chosen[name] = next((each for each in letters if each not in chosen.values()), "*")
     return chosen
 

@@ -170,7 +170,8 @@ class Screen:
         if not self._sights:
             return []
         scene, tip = self._session.mover.scene, self._hand.tip
-        left, right = (drawn(sight, look, scene, tip) for sight in self._sights)
+        language = self._session.language
+        left, right = (drawn(sight, look, scene, tip, language) for sight in self._sights)
         wide = CHARACTERS * self._sights[0].columns
         pad, gap = " " * INDENT, " " * APART
         titles = f"{self._words['above']:{wide}}{gap}{self._words['side']}"
@@ -181,7 +182,7 @@ class Screen:
 
     def _ways(self, look: ArmLook) -> Lines:
         scene, words = self._session.mover.scene, self._words
-        letters = marks(scene.bodies)
+        letters = marks(scene.bodies, self._session.language)
         told: list[str] = []
         for gap in gaps(look, scene, self._hand.tip):
             told_of = replace(gap, name=in_words(gap.name, self._session.language))
@@ -217,7 +218,7 @@ class Screen:
             if look.held
             else "",
             str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
-            str(words["shown"]).format(seconds=f"{shown_s:.1f}"),
+            str(words["shown"]).format(seconds=in_words(round(shown_s, 1), session.language)),
             told,
         )
         step = step_line(session.dialogue_view, cues, words)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 
-from assistant.errors import AssistantError
+from assistant.errors import AssistantError, BadInput, Problem
 from assistant.language.hints import page
+from assistant.language.wording import in_own_words
 from assistant.model.transcript import Demonstrate
 from assistant.session.acting import demonstrate
 from assistant.session.loop import Session
@@ -72,9 +74,18 @@ class Showing:
                 self._write(page("terminal", session.language)["folder"].format(path=line))
             else:
                 return False
+        except BadInput as error:
+            self._write("\n".join(told_problem(one, session.language) for one in error.problems))
         except AssistantError as error:
             self._write(str(error))
         return True
+
+
+def told_problem(problem: Problem, language: str) -> str:
+    """Return what is wrong with a file as the language tells it, where it has words for that."""
+    known: Mapping[str, str] = page("terminal", language)["problems"]
+    what, right = (in_own_words(told, known) for told in (problem.what, problem.right))
+    return str(replace(problem, what=what, right=right))
 
 
 def ways_to_show(way: str, language: str) -> list[str]:

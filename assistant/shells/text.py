@@ -21,6 +21,7 @@ from prompt_toolkit.search import stop_search
 from prompt_toolkit.shortcuts import CompleteStyle
 
 from assistant.language.hints import page
+from assistant.language.speech import in_words
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave, wants_to_leave
@@ -262,7 +263,8 @@ class TextShell:
         self._write(words["driving"]["begin"])
         Driving(session, hand, ticker.lock, every_s).run()
         if watching is not None and session.dialogue_view["state"] != FORGOTTEN:
-            self._write(words["driving"]["end"].format(seconds=f"{watching.now_s:.1f}"))
+            shown_s = in_words(round(watching.now_s, 1), session.language)
+            self._write(words["driving"]["end"].format(seconds=shown_s))
 
     def _write(self, text: str) -> None:
         for line in wrapped(text, columns(), before=INDENT):

@@ -88,3 +88,8 @@ def test_where_nothing_is_placed_the_table_is_seen_far_below_and_to_both_sides()
     assert (low[2], high[2]) == pytest.approx((240.0, 600.0))
     assert low[1] < 0.0 < high[1]
     assert around_mm(tip, None)[0][2] == pytest.approx(600.0)
+
+
+def test_letters_are_those_of_the_names_the_robot_says() -> None:
+    assert marks(("block", "target")) == {"block": "B", "target": "T"}
+    assert marks(("block", "target"), "german") == {"block": "B", "target": "Z"}

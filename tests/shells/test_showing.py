@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from types import SimpleNamespace
 from typing import cast
 
 import numpy as np
 import pytest
 
+from assistant.errors import BadInput
+from assistant.files.recordings import read_recording
 from assistant.ports import HandSample
 from assistant.session.loop import Session
 from assistant.shells.keys import Begun, Due
-from assistant.shells.showing import Showing
+from assistant.shells.showing import Showing, told_problem
 
 WATCHING = cast(Session, SimpleNamespace(watching=object(), language="english"))
 AT_REST = cast(Session, SimpleNamespace(watching=None, language="english"))
+
+
+HEADER = "t_s,x_m,y_m,z_m,qx,qy,qz,qw"
 
 
 def nowhere(line: str) -> None:
@@ -61,3 +67,26 @@ def test_nothing_is_recorded_before_the_teacher_does_or_says_something(said: str
     assert then is not None
     assert (first.t_s, first.said) == (0.0, said)
     assert then.t_s == pytest.approx(0.02)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        (None, "diese Datei gibt es nicht; prüfe Namen und Ordner"),
+        ("", "die Datei ist leer; beginne sie mit t_s,"),
+        (f"{HEADER}\n", "unter der Kopfzeile stehen keine Messwerte; eine Zeile je Messwert"),
+        (f"{HEADER}\n0,0,0,0,0,0,0,1\n1,999,0,0,0,0,0,1\n", "die Hand ist mehr als"),
+        (f"{HEADER}\n1,0,0,0,0,0,0,1\n0,0,0,0,0,0,0,1\n", "die Zeit läuft rückwärts; t_s darf"),
+    ],
+)
+def test_what_is_wrong_with_a_file_is_told_in_german(
+    tmp_path: Path, text: str | None, told: str
+) -> None:
+    file = tmp_path / "shown.csv"
+    if text is not None:
+        file.write_text(text)
+    with pytest.raises(BadInput) as wrong:
+        read_recording(file)
+    problem = wrong.value.problems[0]
+    assert told in told_problem(problem, "german")
+    assert told_problem(problem, "english") == str(problem)
