@@ -157,9 +157,9 @@ class Ears:
     def _hear(self, frame: Samples) -> tuple[Utterance, bool] | None:
         """Take one frame; return an utterance that has ended and whether the robot spoke too."""
         self._frames += 1
-        self._spot(frame)
         self._endpointer.short_answer = self._session.listening.asked in SHORT_ANSWERS
         ended = self._endpointer.hear(frame)
+        self._spot(frame)
         over = self._endpointer.speaking and self._voice is not None and self._voice.speaking
         if over and self._headset and self._voice is not None:
             self._voice.hush()
@@ -173,6 +173,9 @@ class Ears:
 
     def _spot(self, frame: Samples) -> None:
         if self._spotter is None or not self._spotter.hear(frame) or not self._session.moving:
+            return
+        if not self._endpointer.somebody:
+            # A clatter or a tune may resemble the word; nobody spoke.
             return
         # The flag halts the arm at its next tick; the words for it take their turn.
         self._session.equipment.stop_flag.set()

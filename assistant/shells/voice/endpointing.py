@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from typing import Protocol
@@ -12,6 +13,9 @@ from assistant.shells.voice.sound import RATE_HZ, Samples, Sound
 
 FRAME = 512
 FRAME_S = FRAME / RATE_HZ
+LATELY_S = 1.0
+SOMEBODY = 0.3
+"""Of a spoken word some frame is likelier speech, however loud the room; clatter is not."""
 
 
 class Activity(Protocol):
@@ -86,6 +90,7 @@ class Endpointer:
         self._activity = activity
         self.settings = settings or EndpointSettings()
         self.short_answer = False
+        self._lately: deque[float] = deque(maxlen=round(LATELY_S / FRAME_S))
         self._frames: list[Samples] = []
         self._first = 0
         self._speech_from = -1
@@ -97,9 +102,15 @@ class Endpointer:
         """Whether an utterance has begun and not ended."""
         return self._speech_from >= 0
 
+    @property
+    def somebody(self) -> bool:
+        """Whether somebody has spoken in the last second, as far as the sound tells."""
+        return max(self._lately, default=0.0) >= SOMEBODY
+
     def hear(self, frame: Samples) -> Utterance | None:
         """Take the next frame of 512 samples; return an utterance if it has just ended."""
         likely = self._activity(frame)
+        self._lately.append(likely)
         self._frames.append(frame)
         now = self._first + len(self._frames)
         if likely >= self.settings.begin_at:

@@ -1,16 +1,20 @@
 """Speaking the robot's lines one after another, beside the captions.
 
 A line that holds a stop word is not spoken while the arm moves: the robot must not stop itself.
-Long lists are shown, not spoken. What was spoken is remembered for a while, so that the robot's
-own voice in the microphone is not taken for the teacher's.
+While it moves a line is spoken in one sentence, and only the newest: talk would fall behind the
+motion, and a stop said meanwhile is hard to hear. Long lists are shown, not spoken. What was
+spoken is remembered for a while, so that the robot's own voice in the microphone is not taken
+for the teacher's.
 """
 
 from __future__ import annotations
 
 import queue
+import re
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Protocol
 
 from assistant.language.stopping import has_stop_word
@@ -20,6 +24,7 @@ MOST_LINES = 3
 ECHO_SHARE = 0.6
 POLL_S = 0.05
 RECENT_LINES = 4
+SENTENCE_END = re.compile(r"(?<=[.!?])\s+(?=[A-Z\"])")
 
 
 class Speaker(Protocol):
@@ -56,7 +61,7 @@ class Speaking:
         self._speaker = speaker
         self._moving = moving
         self._language = language
-        self._lines: queue.Queue[str] = queue.Queue()
+        self._lines: queue.Queue[tuple[str, bool]] = queue.Queue()
         self._recent: list[str] = []
         self._waiting = 0
         self._lock = threading.Lock()
@@ -68,22 +73,38 @@ class Speaking:
         return self._waiting > 0 or self._speaker.speaking
 
     def say(self, text: str) -> None:
-        """Speak a line after those before it; return at once."""
-        aloud = speakable(text)
-        if self._moving() and has_stop_word(aloud, self._language):
+        """Speak a line after those before it that still matter; return at once."""
+        moving = self._moving()
+        aloud = briefly(speakable(text)) if moving else speakable(text)
+        if moving and has_stop_word(aloud, self._language):
             return
         with self._lock:
+            self._forget_passed()
             self._waiting += 1
             self._recent = [*self._recent, aloud][-RECENT_LINES:]
-        self._lines.put(aloud)
+            self._lines.put((aloud, moving))
 
     def hush(self) -> None:
         """Fall silent and forget what waits: the teacher speaks."""
         with self._lock:
-            while not self._lines.empty():
-                self._lines.get_nowait()
-                self._waiting -= 1
+            self._waiting -= len(self._taken_back())
         self._speaker.hush()
+
+    def _forget_passed(self) -> None:
+        """Drop lines that wait about a motion which has gone on since."""
+        for line, passing in self._taken_back():
+            if passing:
+                self._waiting -= 1
+            else:
+                self._lines.put((line, passing))
+
+    def _taken_back(self) -> list[tuple[str, bool]]:
+        """Return the lines that waited; the mouth may take one of them meanwhile."""
+        taken: list[tuple[str, bool]] = []
+        with suppress(queue.Empty):
+            while True:
+                taken.append(self._lines.get_nowait())
+        return taken
 
     def finish(self, most_s: float = 10.0) -> None:
         """Wait until all is said, for so long at most."""
@@ -100,7 +121,7 @@ class Speaking:
 
     def _run(self) -> None:
         while True:
-            line = self._lines.get()
+            line, _ = self._lines.get()
             try:
                 self._speaker.say(line)
                 while self._speaker.speaking:
@@ -108,6 +129,11 @@ class Speaking:
             finally:
                 with self._lock:
                     self._waiting = max(0, self._waiting - 1)
+
+
+def briefly(text: str) -> str:
+    """Return the first sentence of a line."""
+    return SENTENCE_END.split(text, maxsplit=1)[0]
 
 
 def speakable(text: str) -> str:

@@ -141,6 +141,19 @@ def test_a_spotted_stop_halts_before_the_word_is_recognized() -> None:
     assert all(one.ago_s == 0.0 for one in taken)
 
 
+def test_clatter_that_resembles_stop_halts_nothing() -> None:
+    room = Room(moving=True)
+    ears = Ears(
+        cast("Session", room),
+        lambda words: None,
+        Endpointer(lambda frame: 0.2),
+        Says(""),
+        spotter=SpotsLoud(),
+    )
+    ears.listen(frames((0.5, 0.0), (0.4, 0.95), (0.8, 0.0)), beside=False)
+    assert not room.equipment.stop_flag.is_set()
+
+
 def test_at_rest_a_spotted_stop_does_nothing() -> None:
     room = Room()
     assert hear(room, "", frames((0.5, 0.0), (0.4, 0.95), (0.8, 0.0))) == []

@@ -96,3 +96,14 @@ def test_nobody_recognizes_a_click_ahead() -> None:
     for frame in sound_of((0.3, False), (0.04, True), (0.4, False)).samples.reshape(-1, FRAME):
         endpointer.hear(frame)
         assert endpointer.paused() is None
+
+
+def test_somebody_is_there_for_a_second_after_they_spoke() -> None:
+    endpointer = Endpointer(loudness)
+    assert not endpointer.somebody
+    told: list[bool] = []
+    for loud in (1.0, *[0.0] * round(1.5 / FRAME_S)):
+        endpointer.hear(np.full(FRAME, loud, np.float32))
+        told.append(endpointer.somebody)
+    assert told == sorted(told, reverse=True)
+    assert sum(told) * FRAME_S == pytest.approx(1.0, abs=FRAME_S)

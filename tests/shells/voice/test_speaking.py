@@ -45,6 +45,57 @@ def test_no_stop_word_is_spoken_while_the_arm_moves() -> None:
     assert engine.said == ["Now I approach the block."]
 
 
+class Slow(Engine):
+    """Speaks its first line until it is let go on."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.over = threading.Event()
+
+    @property
+    def speaking(self) -> bool:
+        return not self.over.is_set()
+
+
+def spoken_behind_a_long_line(*, moving: bool, lines: tuple[str, ...]) -> list[str]:
+    engine = Slow()
+    speaking = Speaking(engine, lambda: moving)
+    speaking.say("I begin. It will take me a while.")
+    assert engine.spoke.wait(10.0)
+    for line in lines:
+        speaking.say(line)
+    engine.over.set()
+    speaking.finish()
+    assert not speaking.speaking
+    return engine.said
+
+
+STEPS = ("I approach the block. Before that, the hand is open.", '"lift it": I go up. Careful.')
+
+
+def test_while_the_arm_moves_only_the_newest_line_is_spoken_and_in_one_sentence() -> None:
+    told = spoken_behind_a_long_line(moving=True, lines=STEPS)
+    assert told == ["I begin.", '"lift it": I go up.']
+
+
+def test_at_rest_every_line_is_spoken_whole() -> None:
+    told = spoken_behind_a_long_line(moving=False, lines=STEPS)
+    assert told == ["I begin. It will take me a while.", *STEPS]
+
+
+def test_what_waits_about_a_motion_is_not_spoken_when_it_is_over() -> None:
+    engine, moves = Slow(), [True]
+    speaking = Speaking(engine, lambda: moves[0])
+    speaking.say("I begin.")
+    assert engine.spoke.wait(10.0)
+    speaking.say("I go up.")
+    moves[0] = False
+    speaking.say("Done in 44 s. Was that right?")
+    engine.over.set()
+    speaking.finish()
+    assert engine.said == ["I begin.", "Done in 44 s. Was that right?"]
+
+
 def test_hushed_it_falls_silent() -> None:
     engine = Engine()
     speaking = Speaking(engine, lambda: False)
