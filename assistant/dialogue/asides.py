@@ -8,6 +8,7 @@ from dataclasses import replace
 from assistant.dialogue.adding import plan_corrected
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.cut_words import recut
+from assistant.dialogue.goal_words import regoaled
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted
@@ -107,20 +108,10 @@ def _late(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) -> T
     if name and known.name:
         return rename(dialogue, known.name, tidy_name(name))
     return (
-        _late_goal(dialogue, state, words)
-        or _late_thing(dialogue, state, words)
+        _late_thing(dialogue, state, words)
         or _early_steps(dialogue, state, words)
         or _late_count(dialogue, state, words)
     )
-
-
-def _late_goal(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
-    goal = after(words.text, "goal_told", dialogue.language)
-    if not goal or state.asked in ("goal", "task_name"):
-        return None
-    known = replace(dialogue.known, goal=goal)
-    told = line("done", "goal", goal=goal)
-    return first(say(dialogue, told)[1], proceed(changed(dialogue, "goal", known)))
 
 
 def _late_thing(dialogue: Dialogue, state: Introducing, words: Words) -> Turn | None:
@@ -216,6 +207,7 @@ _REPLIES = (
     told_several,
     slip,
     no_thing,
+    regoaled,
     _late,
     _standing,
     _puzzled,

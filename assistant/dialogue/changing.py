@@ -26,12 +26,14 @@ from assistant.dialogue.elsewhere import stands_elsewhere
 from assistant.dialogue.finding import find_whole, name_at, spoken_of, unclear
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
-from assistant.dialogue.turn import Turn, Words, changed, line, say, then, with_other
+from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then, with_other
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
 from assistant.model.robot_acts import About, RobotAct
 from assistant.model.task import primitives
 
+AT_BOUND = 0.01
+"""A speed this share away from its bound is there."""
 SHOWN_M = 0.010
 """The small announced move that shows where the robot takes left to be."""
 
@@ -148,13 +150,29 @@ def add(dialogue: Dialogue, feedback: Feedback, *, instead: bool = False) -> Tur
         return tell(dialogue, line("error", "nothing_to_correct"))
     given = lesson.feedback[:-1] if instead else lesson.feedback
     known = replace(dialogue.known, lesson=replace(lesson, feedback=(*given, feedback)))
-    told_speed = speed_of(known)
-    if feedback.kind == "speed" and not SPEEDS[0] <= told_speed <= SPEEDS[1]:
-        least, most = (round(100 * one) for one in SPEEDS)
-        now = round(100 * speed_of(dialogue.known))
-        return tell(dialogue, line("refuse", "speed_bounds", least=least, most=most, now=now))
+    if feedback.kind == "speed" and not SPEEDS[0] <= speed_of(known) <= SPEEDS[1]:
+        return _as_far_as_it_goes(dialogue, feedback, given)
     after = corrected(changed(dialogue, "correction", known))
     return told_of(after, told(known, feedback))
+
+
+def _as_far_as_it_goes(dialogue: Dialogue, feedback: Feedback, given: tuple[Feedback, ...]) -> Turn:
+    """Change the speed up to its bound and say that it is one; refuse where it is there."""
+    now = speed_of(dialogue.known)
+    least, most = (round(100 * one) for one in SPEEDS)
+    lesson = dialogue.known.lesson
+    before = lesson and speed_of(replace(dialogue.known, lesson=replace(lesson, feedback=given)))
+    bound = SPEEDS[1] if before and before * feedback.factor > SPEEDS[1] else SPEEDS[0]
+    if lesson is None or not before or feedback.primitive or abs(now / bound - 1.0) < AT_BOUND:
+        return tell(
+            dialogue, line("refuse", "speed_bounds", least=least, most=most, now=round(100 * now))
+        )
+    nearer = replace(feedback, factor=bound / before)
+    kept = replace(dialogue.known, lesson=replace(lesson, feedback=(*given, nearer)))
+    after = corrected(changed(dialogue, "correction", kept))
+    limit = line("told", "speed_limit", least=least, most=most)
+    said = say(after, told(kept, nearer))[1]
+    return first(said, told_of(after, limit))
 
 
 def corrected(dialogue: Dialogue) -> Dialogue:

@@ -55,7 +55,11 @@ def kept(dialogue: Dialogue, event: Kept) -> Turn:
         return tell(replace(dialogue, leaving=False, after=("", ""), pending=None), told)
     saved = tuple(dict.fromkeys((*dialogue.saved, event.name)))
     after = replace(dialogue, saved=saved, saved_as=event.name, unsaved=False)
-    told = line("done", "saved", about=About(after.known.name), name=event.name)
+    # What was shown and never came to its end may not be what was meant.
+    tried = not dialogue.known.demonstrations or any(one.complete for one in dialogue.runs)
+    unproven = None if tried else after.known.name
+    about = About(after.known.name)
+    told = line("done", "saved", about=about, name=event.name, unproven=unproven)
     if after.leaving:
         return first(say(after, told)[1], leave(after))
     if after.after[0]:

@@ -175,8 +175,15 @@ def test_speed_changes_by_a_fifth_and_stays_in_bounds() -> None:
     assert public_view(teacher.dialogue)["speed"] == pytest.approx(1.08)
     teacher.hear(acts.AdjustSpeed(factor=0.5))
     assert public_view(teacher.dialogue)["speed"] == pytest.approx(0.54)
-    teacher.hear(acts.AdjustSpeed(factor=0.01))
-    assert teacher.topics[0] == "refuse.speed_bounds"
+    # What goes too far goes as far as may be, and is told; from there it goes no further.
+    for factor, bound in ((0.01, 0.1), (300.0, 3.0)):
+        teacher.hear(acts.AdjustSpeed(factor=factor))
+        assert "told.speed_limit" in teacher.topics
+        assert public_view(teacher.dialogue)["speed"] == pytest.approx(bound)
+        teacher.hear(acts.AdjustSpeed(factor=factor))
+        assert teacher.topics[0] == "refuse.speed_bounds"
+        assert public_view(teacher.dialogue)["speed"] == pytest.approx(bound)
+    teacher.hear(acts.Undo()).hear(acts.Undo())
     assert public_view(teacher.dialogue)["speed"] == pytest.approx(0.54)
 
 

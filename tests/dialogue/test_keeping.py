@@ -193,3 +193,13 @@ def test_who_wants_to_leave_while_showing_is_asked_and_may_stay() -> None:
     assert teacher.hear(acts.Quit(), voice=True).topics == []
     teacher.hear(acts.Quit()).hear(acts.Deny())
     assert teacher.topics == ["told.goodbye"]
+
+
+def test_what_was_never_done_to_its_end_is_saved_with_a_warning() -> None:
+    teacher = Lessons().ready().hear(acts.Save("a")).happen(ev.Kept("a"))
+    assert "even once" in phrase(teacher.lines[0])
+    teacher = Lessons().ready().run().hear(acts.Save("a")).happen(ev.Kept("a"))
+    assert "even once" not in phrase(teacher.lines[0])
+    # Of a task that was loaded it is not known what it did before.
+    teacher = Lessons().open(tree_task(lesson())).hear(acts.Save("a")).happen(ev.Kept("a"))
+    assert "even once" not in phrase(teacher.lines[0])
