@@ -54,22 +54,23 @@ def adapt(
     Notes
     -----
     In every setup the hand moves no faster than the scene allows, nor faster than the
-    demonstration's greatest speed times `speed`, and turns no faster than `plan.turn_rad_s`. No
-    step is shorter than the lesson's own divided by `speed`, none while the gripper acts shorter
-    than the lesson's own.
+    demonstration's greatest speed (`least_m_s` if that is less) times `speed`, and turns no
+    faster than `plan.turn_rad_s`. No step is shorter than the lesson's own divided by `speed`,
+    none while the gripper acts shorter than the lesson's own.
     """
     if not speed > 0.0:
         raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
     told = setup.robot_start
     begin = placed(told.xyz_mm, told.rpy_deg) if start is None else np.asarray(start).tolist()
     path = _path(plan, _frames(plan, scene, setup), begin)
-    steps_s = plan.steps_s
+    settings, steps_s = plan.settings, plan.steps_s
     if speed != 1.0:
         steps_s = np.where(plan.resting, steps_s / min(speed, 1.0), steps_s / speed)
+    most_m_s = max(settings.speed_share * plan.peak_m_s, settings.least_m_s) * speed
     t_s = bounded_times(
         steps_s,
         path,
-        min(scene.hand_speed_m_s, plan.settings.speed_share * plan.peak_m_s * speed),
+        min(scene.hand_speed_m_s, most_m_s),
         plan.turn_rad_s,
         plan.brake,
     )

@@ -21,7 +21,8 @@ def measured(
 
     Errors: the greatest over all grasps (releases), against the demonstration with the
     teacher's corrections. Jerk: at the demonstration's own timing, against the smoothed
-    demonstration's; a lesson that does not tell it is measured against its learned path.
+    demonstration's; a lesson that does not tell it is measured against its learned path. Where
+    the hand only turns, both are as shown.
     """
     if task.learned is None or task.learned.path is None:
         raise WorkFailed(f"{task.name!r} has not been learned yet; demonstrate it first")
@@ -46,7 +47,11 @@ def measured(
     speeds = hand_speeds(path.t_s, path.path), hand_speeds(shown.t_s, shown.path)
     return {
         **errors,
-        "jerk_ratio": rms_jerk(even[:, :3], step_s) / jerk,
-        "peak_speed_ratio": float(np.max(speeds[0]) / np.max(speeds[1])),
+        "jerk_ratio": _ratio(rms_jerk(even[:, :3], step_s), jerk),
+        "peak_speed_ratio": _ratio(float(np.max(speeds[0])), float(np.max(speeds[1]))),
         "duration_ratio": float(path.t_s[-1] / (shown.t_s[-1] - shown.t_s[0])),
     }
+
+
+def _ratio(value: float, shown: float) -> float:
+    return value / shown if shown > 0.0 else 1.0

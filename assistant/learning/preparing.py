@@ -28,6 +28,9 @@ from assistant.model.motion import HandStop, Indices
 from assistant.model.settings import BlendingSettings, GeneralizationSettings
 from assistant.model.task import Task
 
+LEAST_WAY_M = 0.002
+"""A hand that goes no further than this goes nowhere."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AdaptationPlan:
@@ -95,11 +98,13 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     Raises
     ------
     WorkFailed
-        If the task has not been learned, or its demonstration did not record the hand.
+        If the task has not been learned, or its demonstration did not record the hand, or
+        nowhere brought it anywhere.
     """
     lesson, learned = carried_out(task)
     settings, stations = settings or BlendingSettings(), lesson.stations
     path = np.hstack([learned.path[:, :3], quat_continuous(learned.path[:, 3:])])
+    _check_moved(task, path, stations)
     held, ends_with_start = held_stretches(path[:, :3], stations, settings)
     told = station_moves(task, lesson, settings.tool_m)
     moves = hand_moves(stations, told)
@@ -153,6 +158,15 @@ def carried_out(task: Task) -> tuple[Lesson, LearnedPath]:
             "known; demonstrate it with the column gripper_m"
         )
     return lesson, lesson.path
+
+
+def _check_moved(task: Task, path: Array, stations: Sequence[Station]) -> None:
+    away_m = float(np.max(np.linalg.norm(path[:, :3] - path[0, :3], axis=1)))
+    if stations and away_m < LEAST_WAY_M:
+        raise WorkFailed(
+            f"{task.name!r} was shown by a hand that closes and opens but never leaves its place, "
+            "so there is no way to carry over; demonstrate it with the motion between"
+        )
 
 
 def _turn_bound(settings: BlendingSettings, shown_rad_s: float) -> float:

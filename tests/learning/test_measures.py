@@ -9,6 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from assistant.errors import WorkFailed
 from assistant.geometry import (
     Array,
     angle_between,
@@ -30,11 +31,12 @@ from assistant.learning.measures import measured
 from assistant.learning.timing import rms_jerk, turn_speeds
 from assistant.learning.ways import prepare
 from assistant.learning.weights import quintic
+from assistant.model.demonstration import Demonstration, Recording
 from assistant.model.lesson import Station
 from assistant.model.motion import HandPath
 from assistant.model.settings import BlendingSettings
 from assistant.model.setup import Place, Setup
-from assistant.model.task import Task
+from assistant.model.task import Action, Primitive, Subtask, Task
 from tests.generators import generator_a, generator_b
 from tests.learning.lessons import (
     SCENE,
@@ -43,6 +45,8 @@ from tests.learning.lessons import (
     learned,
     moved,
 )
+
+TURN = Primitive("turn", Action("turn", "left"))
 
 
 @given(seed=st.integers(0, 10_000))
@@ -243,3 +247,31 @@ def test_noise_of_told_poses_spreads_no_wider_on_the_way(seed: int) -> None:
     spread = np.sqrt(np.mean(np.square(strays), axis=0))
     held = np.concatenate([spread[a : b + 1] for a, b in plan.ways.held])
     assert np.max(spread) <= 1.25 * np.max(held)
+
+
+def turning_in_place(*leaves: Primitive, off_m: float = 0.0) -> Task:
+    """Shown by a hand that turns about itself, closing and opening where it is."""
+    t_s = np.arange(0.0, 12.0, 0.02)
+    path = np.tile([0.5, 0.0, 0.3, 0.0, 0.0, 0.0, 1.0], (len(t_s), 1))
+    path[:, 5], path[:, 6] = np.sin(0.1 * t_s), np.cos(0.1 * t_s)
+    path[:, 0] += off_m * np.sin(t_s)
+    opening = np.where((t_s > 4.0) & (t_s < 8.0) & bool(leaves), 0.04, 0.08)
+    made = learned() if leaves else Task("turn", Subtask("turn", (TURN,)))
+    shown = Demonstration(Recording(t_s, path, opening))
+    return replace(made, learned=learn([shown], made))
+
+
+def test_a_hand_that_only_turns_is_carried_over_in_finite_time() -> None:
+    made, setup = turning_in_place(), Setup(robot_start=Place("hand", (450.0, 80.0, 400.0)))
+    plan = plan_adaptation(made)
+    assert plan.peak_m_s == 0.0
+    path = adapt(plan, SCENE, setup)
+    told = measured(made, plan, path, SCENE, setup)
+    assert (told["jerk_ratio"], told["peak_speed_ratio"]) == (1.0, 1.0)
+    assert told["duration_ratio"] == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("off_m", [0.0, 1e-9, 1e-4])
+def test_a_hand_that_grasps_and_goes_nowhere_has_no_way_to_carry_over(off_m: float) -> None:
+    with pytest.raises(WorkFailed, match="never leaves its place"):
+        plan_adaptation(turning_in_place(TURN, off_m=off_m))

@@ -85,6 +85,8 @@ class BlendingSettings:
     most_turn_rad_s: float = 2.8
     """and then not faster than this, which a wrist can follow (A465: 2.98)."""
     speed_share: float = 0.995
-    """Of the demonstration's peak speed, which a moved setup never exceeds."""
+    """Of the demonstration's peak speed, which a moved setup never exceeds,"""
+    least_m_s: float = 0.02
+    """but a hand that hardly moved, or only turned, may go at this to things elsewhere."""
     brake_s: float = 0.4
     """Slowing down and speeding up again spread over so long."""
