@@ -29,8 +29,9 @@ def regoaled(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()
     if isinstance(state, Introducing) and state.asked in ("task_name", "goal"):
         return None
     named = mentions(text, hints("goal_words", dialogue.language))
-    if not introducing and not named:
-        # "When it is done, go home" is no goal.
+    things = [one.name.lower() for one in dialogue.known.objects or ()]
+    if re.search(r"\d", text) or (not introducing and (not named or mentions(text, things))):
+        # "When it is done, go home" is no goal, nor is where a thing called "goal" stands.
         return None
     goal = _told(text, dialogue.language)
     free = without_guess(dialogue)

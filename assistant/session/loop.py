@@ -31,7 +31,7 @@ from assistant.session.doing import Workplace, do
 from assistant.session.equipment import Equipment
 from assistant.session.happenings import Store, to_step
 from assistant.session.journal import Journal
-from assistant.session.meaning import meant
+from assistant.session.meaning import meant, printable
 from assistant.session.motion import Mover
 from assistant.session.saying import as_step, not_kept
 from assistant.session.watching import Watching
@@ -147,7 +147,7 @@ class Session:
         ago_s : float
             How long ago the first word began.
         """
-        self.raw(text)
+        self.raw(text := printable(text))
         if not self.moving or (self.mover.braking and not has_stop_word(text, self.language)):
             self.equipment.stop_flag.clear()
         self.happen(events.Heard(text, self.understood(text, sure), by_voice, sure, ago_s))

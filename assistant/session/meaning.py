@@ -25,6 +25,11 @@ _SENTENCE = re.compile(r".+?(?:[.!?;]+(?=\s)|$)")
 _IDLE = (Unknown, Affirm, Deny)
 
 
+def printable(text: str) -> str:
+    """Return words with a blank for each control sign: names of them could not be read again."""
+    return "".join(sign if sign.isprintable() else " " for sign in text)
+
+
 def meant(dialogue: Dialogue, text: str, sure: float, language: str) -> Understanding:
     """Return what words mean; while the arm moves a stop word means stop.
 

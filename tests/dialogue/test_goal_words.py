@@ -39,3 +39,5 @@ def test_after_the_introduction_the_goal_must_be_named() -> None:
     teacher.hear(acts.Unknown(), text="the goal is that all is tidy")
     assert teacher.dialogue.known.goal == "all is tidy"
     assert teacher.asked == "ready"
+    teacher.hear(acts.Unknown(), text="the goal is at 588, -250, 403")
+    assert teacher.dialogue.known.goal == "all is tidy"

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from assistant.dialogue.machine import begin
 from assistant.model import teacher_acts as acts
 from assistant.session.meaning import SAFETY, meant
 from tests.dialogue.teaching import Lessons
+from tests.session.lessons import opened
 
 
 def guessing() -> Lessons:
@@ -61,3 +64,14 @@ def test_a_letter_is_a_yes_or_a_no(letter: str, language: str) -> None:
     no = meant(guess.dialogue, "n", 1.0, language)
     assert (yes.acts, no.acts) == ((acts.Affirm(),), (acts.Deny(),))
     assert min(yes.confidence, no.confidence) >= SAFETY.act_confidence
+
+
+def test_control_signs_come_into_no_name(tmp_path: Path) -> None:
+    session = opened(tmp_path)
+    for words in ("sort\x07 it", "all is\x1b[31m tidy", "the \x1b[2J lid and the \x7ftarget"):
+        session.hear(words)
+    known = session.dialogue.known
+    told = (known.name, known.goal or "", *(one.name for one in known.objects or ()))
+    session.close()
+    assert len(told) > 3
+    assert all(name.isprintable() for name in told)
