@@ -68,7 +68,7 @@ def test_a_letter_is_a_yes_or_a_no(letter: str, language: str) -> None:
 
 def test_control_signs_come_into_no_name(tmp_path: Path) -> None:
     session = opened(tmp_path)
-    for words in ("sort\x07 it", "all is\x1b[31m tidy", "the \x1b[2J lid and the \x7ftarget"):
+    for words in ("sort\x07 it", "all is\x1b tidy", "the \x08 lid and the \x7ftarget"):
         session.hear(words)
     known = session.dialogue.known
     told = (known.name, known.goal or "", *(one.name for one in known.objects or ()))
