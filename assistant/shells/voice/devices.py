@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import queue
+import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib import import_module
 from types import ModuleType
@@ -18,6 +21,7 @@ _LIBRARY = "apt install libportaudio2, or the PortAudio of your system"
 _PLUG = "plug one in; assistant voice lists what is there"
 OPENS_WITHIN_S = 10.0
 UNPLUGGED_AFTER_S = 3.0
+STDERR = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,14 +73,16 @@ def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
         heard.put(np.array(samples[:, 0]))
 
     try:
-        with sound.InputStream(
-            samplerate=RATE_HZ,
-            channels=1,
-            dtype="float32",
-            blocksize=FRAME,
-            device=device,
-            callback=keep,
-        ):
+        with _without_chatter():
+            stream = sound.InputStream(
+                samplerate=RATE_HZ,
+                channels=1,
+                dtype="float32",
+                blocksize=FRAME,
+                device=device,
+                callback=keep,
+            )
+        with stream:
             # A device may take its time to open; once it has spoken it never pauses.
             yield heard.get(timeout=OPENS_WITHIN_S)
             while True:
@@ -89,6 +95,25 @@ def microphone_frames(device: str | int | None = None) -> Iterator[Samples]:
 
 def _portaudio() -> ModuleType:
     try:
-        return import_module("sounddevice")
+        with _without_chatter():
+            return import_module("sounddevice")
     except (ImportError, OSError) as error:
         raise BadInput.one("voice", "PortAudio is not installed", _LIBRARY) from error
+
+
+@contextmanager
+def _without_chatter() -> Iterator[None]:
+    """Keep what the system's sound libraries write by themselves off the teacher's screen.
+
+    They tell of every device that cannot be opened, past Python; what matters comes as an error.
+    """
+    sys.stderr.flush()
+    kept = os.dup(STDERR)
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        os.dup2(nowhere, STDERR)
+        yield
+    finally:
+        os.dup2(kept, STDERR)
+        os.close(kept)
+        os.close(nowhere)

@@ -128,10 +128,16 @@ class Talking:
         """Wait for a microphone that was unplugged, and go on listening."""
         time.sleep(AGAIN_S)
         try:
-            frames = self._frames(session)
-            ears.listen(frames, beside=True)
+            ears.listen(self._told_of(self._frames(session)), beside=True)
         except AssistantError:
             return
+
+    def _told_of(self, frames: Iterable[Samples]) -> Iterator[Samples]:
+        """Yield frames; the first of them is told of."""
+        for at, frame in enumerate(frames):
+            if at == 0:
+                self._show("  (listening again)")
+            yield frame
 
     def _ears(self, session: Session, take: Callable[[Words], None]) -> Ears:
         hearing = Hearing(installed(self._settings.model), session.language)
