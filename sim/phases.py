@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import combinations
 
@@ -16,13 +16,18 @@ from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim.collision import BESIDE_M, Touch, fixed_things, too_near, touches
 from sim.fine_path import FinePath
-from sim.kinematics import Flags
+from sim.kinematics import Flags, forward
 from sim.resting import Carried, Standing, carried_body
 from sim.shapes import body_box, boxes_apart
 from sim.touching import contents, push_begin, pushed, pushes
 
 OVERLAP_M = 0.002
 """Told places may overlap by so much: people measure to the millimetre."""
+
+LEANS_RAD = (np.deg2rad(15.0), np.deg2rad(30.0))
+"""What could be spilled leans no more than so much further on a way around; rather not so much."""
+LEANING_M = 0.1
+"""A rad too much counts as so far within a thing."""
 
 Bodies = Mapping[str, Array]
 
@@ -45,15 +50,30 @@ class Phase:
         allowed, resting = self._allowed(samples), self._resting(samples)
         return touches(q, gripper_m, self.things, self.carried, allowed, self.excused, resting)
 
-    def gap(self, gripper_m: float) -> Callable[[Array], Array]:
+    def gaps(self, gripper_m: float, shown: Array) -> Iterator[Callable[[Array], Array]]:
+        """Yield what `gap` returns, ever less strict about how far what is carried leans."""
+        carried = self.carried
+        if carried is None or not carried.upright:
+            yield self.gap(gripper_m)
+            return
+        most_rad = float(np.max(carried.tilt(shown)))
+        for further_rad in LEANS_RAD:
+            yield self.gap(gripper_m, most_rad + further_rad)
+
+    def gap(self, gripper_m: float, leans_rad: float = np.inf) -> Callable[[Array], Array]:
         """Return how far joints, shape (m, 6), are from touching anything at all, shape (m,).
 
-        On a free way; what was carried there may rest where it was taken up.
+        On a free way; what was carried there may rest where it was taken up. It leans no
+        further than is said.
         """
+        carried = self.carried
 
         def apart(q: Array) -> Array:
             opening = np.full(len(q), gripper_m)
-            return touches(q, opening, self.things, self.carried, None, self.excused).gap
+            gap = touches(q, opening, self.things, carried, None, self.excused).gap
+            if carried is None or leans_rad >= np.pi:
+                return gap
+            return np.minimum(gap, LEANING_M * (leans_rad - carried.tilt(forward(q))))
 
         return apart
 

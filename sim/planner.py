@@ -13,6 +13,7 @@ branch they are on, and knows what the hand holds.
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -142,7 +143,8 @@ def _on_branch(work: _Work, branch: int) -> JointPath | Refusal:
     notes: list[str] = []
     for first, last in work.fine.free_stretches():
         part = slice(first, last + 1)
-        way = route(_stretch(work, branch, q, first, last), q[part])
+        found = (route(one, q[part]) for one in _stretches(work, branch, q, first, last))
+        way = next((one for one in found if one is not None), None)
         if way is None:
             return _blocked(work, q, first, last)
         notes.append(_note(work, q, first, last) if way[1] else "")
@@ -175,19 +177,13 @@ def _end_joints(work: _Work, branch: int) -> Array:
     return np.asarray(ends.q[able[0], branch] if len(able) else work.found.q[last, branch])
 
 
-def _stretch(work: _Work, branch: int, q: Array, first: int, last: int) -> Stretch:
-    part = slice(first, last + 1)
+def _stretches(work: _Work, branch: int, q: Array, first: int, last: int) -> Iterator[Stretch]:
+    """Yield a free stretch, what is carried being kept upright ever less strictly."""
+    fine, part = work.fine, slice(first, last + 1)
     phase = next(p for p in work.phases if p.first <= first and last <= p.last)
-    gap = phase.gap(float(np.max(work.fine.gripper_m[part])))
-    return Stretch(
-        work.fine.u_s[part],
-        work.fine.poses[part],
-        branch,
-        q[first],
-        q[last],
-        gap,
-        work.hand_speed_m_s,
-    )
+    for gap in phase.gaps(float(np.max(fine.gripper_m[part])), fine.poses[part]):
+        ends = q[first], q[last]
+        yield Stretch(fine.u_s[part], fine.poses[part], branch, *ends, gap, work.hand_speed_m_s)
 
 
 def _touched(work: _Work, q: Array, flags: Flags) -> Refusal | None:

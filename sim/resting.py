@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from assistant.geometry import IDENTITY, Array, compose
+from assistant.geometry import IDENTITY, Array, compose, rotate_vector
+from assistant.model.placing import is_round
 from assistant.model.scene import Scene
 from sim.kinematics import Flags
 from sim.shapes import Boxes, body_box, box_at, boxes_apart
@@ -72,6 +73,14 @@ class Carried:
     middle: Array
     size: Array
     rests: tuple[Rest, ...] = ()
+    upright: bool = False
+    """Whether what is in it would be spilled: what is round may be a cup."""
+
+    def tilt(self, hands: Array) -> Array:
+        """Return how far it leans for flange poses, shape (m, 7), in rad, shape (m,)."""
+        turned = compose(hands, self.in_hand)[..., 3:]
+        up = rotate_vector(turned, np.array([0.0, 0.0, 1.0]))[..., 2]
+        return np.asarray(np.arccos(np.clip(up, -1.0, 1.0)))
 
     def box(self, hands: Array) -> Boxes:
         """Return the box around it for flange poses, shape (m, 7) or (7,)."""
@@ -113,4 +122,4 @@ def carried_body(scene: Scene, name: str, in_hand: Array) -> Carried | None:
     if body is None:
         return None
     box = body_box(body, IDENTITY)
-    return Carried(name, in_hand, box.center[0], 2 * box.half)
+    return Carried(name, in_hand, box.center[0], 2 * box.half, upright=is_round(body))
