@@ -29,6 +29,7 @@ from assistant.language.trusting import (
     consenting,
     names_step,
     strange,
+    swapped,
     trusted_from,
 )
 from assistant.language.weighing import praised
@@ -153,7 +154,7 @@ def _kept_from(
 
     Nor is a yes or no told by words that stand in no list.
     """
-    if praised(weighed.acts, acts, words, hearing):
+    if praised(weighed.acts, acts, words, hearing) or swapped(acts, weighed, words, hearing):
         return True
     if weighed.exact and shortened(acts, weighed.acts, hearing):
         return True

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from assistant.language.frames import classes_of
 from assistant.language.parsing import Hearing, Parse, texts_of
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, label_of
@@ -9,6 +10,7 @@ from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     Explain,
     Inform,
+    Ordered,
     SetPose,
     TeacherAct,
     Unknown,
@@ -70,3 +72,12 @@ def chatting(words: Words, hearing: Hearing) -> bool:
     """Tell talk of other matters, misspelled as well."""
     spelled = respelled(words, hearing.book, hearing.listening.objects)
     return bool({*texts_of(words), *texts_of(spelled)} & hearing.book.chat)
+
+
+def swapped(acts: tuple[TeacherAct, ...], weighed: Parse, words: Words, hearing: Hearing) -> bool:
+    """Tell what is forbidden read as though it were wanted: "never pour before opening"."""
+    one, other = acts[0], weighed.acts[0]
+    if not isinstance(one, Ordered) or not isinstance(other, Ordered):
+        return False
+    forbidden = "forbid" in classes_of(texts_of(words), hearing.language)
+    return forbidden and (one.first, one.second) == (other.second, other.first)

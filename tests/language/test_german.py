@@ -15,7 +15,9 @@ from assistant.model.teacher_acts import (
     Cue,
     Gripper,
     Inform,
+    Ordered,
     SetPose,
+    Show,
     Stop,
     Translate,
     Unknown,
@@ -218,3 +220,25 @@ def test_word_order_dialect_and_slips_are_read(text: str, act: dict[str, Any]) -
 def test_a_name_keeps_what_is_done_with_what_and_where(name: str) -> None:
     asked = Listening(stage="introduction", asked="task_name")
     assert understand(name, asked, "german").acts == (Inform(name),)
+
+
+@pytest.mark.parametrize(
+    ("text", "first", "second"),
+    [
+        ("Zudrehen darf nie vor Einfüllen kommen", "Einfüllen", "Zudrehen"),
+        ("Einfüllen darf nicht nach Zudrehen kommen", "Einfüllen", "Zudrehen"),
+        ("das Einfüllen darf keinesfalls nach dem Zudrehen kommen", "Einfüllen", "Zudrehen"),
+        ("das Backen kommt nie nach dem Schneiden", "Backen", "Schneiden"),
+        ("niemals Zudrehen vor Einfüllen", "Einfüllen", "Zudrehen"),
+        ("Einfüllen muss vor Zudrehen kommen", "Einfüllen", "Zudrehen"),
+    ],
+)
+def test_what_is_forbidden_is_not_wanted(text: str, first: str, second: str) -> None:
+    asked = Listening(stage="introduction", asked="order")
+    assert understand(text, asked, "german").acts == (Ordered(first, second),)
+
+
+@pytest.mark.parametrize("text", ["zeig nochmal den Baum", "zeig mir bitte noch einmal den Plan"])
+def test_what_is_shown_once_more_is_no_practice(text: str) -> None:
+    (act,) = understand(text, PRACTICE, "german").acts
+    assert isinstance(act, Show)

@@ -10,10 +10,11 @@ from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
 
 
+@pytest.mark.parametrize("language", ["english", "german"])
 @settings(max_examples=30, deadline=None)
 @given(st.lists(st.text(max_size=12), max_size=8))
-def test_chances_of_any_words_sum_to_one(words: list[str]) -> None:
-    told = likelihoods(tuple(words), tuple(words), Listening(stage="practice"))
+def test_chances_of_any_words_sum_to_one(language: str, words: list[str]) -> None:
+    told = likelihoods(tuple(words), tuple(words), Listening(stage="practice"), language)
     assert sum(told.values()) == pytest.approx(1.0, abs=1e-5)
     assert min(told.values()) >= 0.0
 

@@ -12,6 +12,7 @@ from assistant.model.teacher_acts import ASKED, STAGES, Affirm, Stop, Unknown, a
 from assistant.plain_yaml import read_file
 from tests.benchmarks.bench_language import CORPUS, FILES, Row, rows, same
 
+LANGUAGES = ("english", "german")
 NAMES = ("pick up object", "approach object", "grasp object", "move up object")
 
 
@@ -43,18 +44,28 @@ def _right(row: Row) -> bool:
     return same(row.acts, [act_to_json(act) for act in meant.acts])
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
 @settings(max_examples=60, deadline=None)
 @given(st.text(max_size=80), st.sampled_from(STAGES), st.sampled_from([None, *ASKED]))
-def test_no_text_raises_and_no_text_means_nothing(text: str, stage: Any, asked: Any) -> None:
-    meant = understand(text, Listening(stage=stage, asked=asked))
+def test_no_text_raises_and_no_text_means_nothing(
+    language: str, text: str, stage: Any, asked: Any
+) -> None:
+    meant = understand(text, Listening(stage=stage, asked=asked), language)
     assert meant.acts
     assert 0.0 <= meant.confidence <= 1.0
 
 
+CRIES = {
+    "english": ["stop", "Halt!", "FREEZE", "don't stop", "stpo"],
+    "german": ["stopp", "Halt!", "ANHALTEN", "nicht stoppen", "stpo"],
+}
+
+
 @settings(max_examples=40, deadline=None)
-@given(st.text(max_size=40), st.sampled_from(["stop", "Halt!", "FREEZE", "don't stop", "stpo"]))
-def test_while_moving_a_stop_word_anywhere_stops(text: str, word: str) -> None:
-    meant = understand(f"{text} {word}", Listening(stage="practice", moving=True))
+@given(st.text(max_size=40), st.sampled_from(LANGUAGES), st.integers(0, 4))
+def test_while_moving_a_stop_word_anywhere_stops(text: str, language: str, cry: int) -> None:
+    moving = Listening(stage="practice", moving=True)
+    meant = understand(f"{text} {CRIES[language][cry]}", moving, language)
     assert meant.acts == (Stop(),)
 
 
