@@ -147,6 +147,8 @@ class Ears:
 
     def _work(self) -> None:
         while (one := self._waiting.get()) is not None:
+            if self._session.left:
+                continue
             if not isinstance(one, Utterance):
                 self._understand(*one)
             elif self._waiting.empty():

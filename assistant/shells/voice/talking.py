@@ -6,6 +6,7 @@ works on.
 
 from __future__ import annotations
 
+import atexit
 import threading
 import time
 from collections.abc import Callable, Iterable, Iterator
@@ -26,7 +27,7 @@ from assistant.shells.voice.recognizers import installed
 from assistant.shells.voice.sound import Samples, sound_pieces
 from assistant.shells.voice.speaking import Speaking
 
-SOON_S = 0.5
+SOON_S = 5.0
 AGAIN_S = 3.0
 TYPING = "the keyboard works on"
 
@@ -77,6 +78,7 @@ class Talking:
         self._show = show
         self._session: Session | None = None
         self._thread: threading.Thread | None = None
+        self._over = threading.Event()
         self._mouth = None if settings.mute else self._opened_mouth()
 
     def out(self, line: RobotAct, text: str) -> None:
@@ -91,14 +93,24 @@ class Talking:
             target=self._run, args=(session, take), name="ears", daemon=True
         )
         self._thread.start()
+        atexit.register(self._hear_no_more)
 
     def finish(self) -> None:
         """Wait until a sound file has been heard; a microphone is heard no longer."""
-        if self._thread is not None:
-            # A microphone has no end.
-            self._thread.join(None if self._settings.ears is not None else SOON_S)
+        if self._thread is not None and self._settings.ears is not None:
+            self._thread.join()
+        self._hear_no_more()
         if self._mouth is not None:
             self._mouth.finish()
+
+    def _hear_no_more(self) -> None:
+        """Close the microphone, and wait for what is being recognized.
+
+        A program that ends while a recognizer computes is aborted.
+        """
+        self._over.set()
+        if self._thread is not None:
+            self._thread.join(SOON_S)
 
     def _moving(self) -> bool:
         return self._session is not None and self._session.moving
@@ -112,7 +124,7 @@ class Talking:
 
     def _run(self, session: Session, take: Callable[[Words], None]) -> None:
         try:
-            frames = self._frames(session)
+            frames = self._until_over(self._frames(session))
             ears = self._ears(session, take)
         except AssistantError as error:
             self._show(f"  ({error}; {TYPING})")
@@ -121,16 +133,24 @@ class Talking:
             ears.listen(frames, beside=self._settings.real_time)
         except AssistantError as error:
             self._show(f"  ({error}; {TYPING} meanwhile)")
-        while self._settings.ears is None and not session.left:
+        while self._settings.ears is None and not (session.left or self._over.is_set()):
             self._listen_again(session, ears)
 
     def _listen_again(self, session: Session, ears: Ears) -> None:
         """Wait for a microphone that was unplugged, and go on listening."""
-        time.sleep(AGAIN_S)
+        if self._over.wait(AGAIN_S):
+            return
         try:
-            ears.listen(self._told_of(self._frames(session)), beside=True)
+            frames = self._until_over(self._frames(session))
+            ears.listen(self._told_of(frames), beside=True)
         except AssistantError:
             return
+
+    def _until_over(self, frames: Iterable[Samples]) -> Iterator[Samples]:
+        for frame in frames:
+            if self._over.is_set():
+                return
+            yield frame
 
     def _told_of(self, frames: Iterable[Samples]) -> Iterator[Samples]:
         """Yield frames; the first of them is told of."""

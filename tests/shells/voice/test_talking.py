@@ -120,6 +120,39 @@ def test_a_microphone_unplugged_mid_word_is_told_and_heard_again_once_plugged_in
     assert lost < told.index("  (listening again)") < told.index("you: pick and place")
 
 
+def test_a_shell_that_ends_closes_the_microphone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened, closed = threading.Event(), threading.Event()
+
+    def frames(self: Talking, session: object) -> Iterator[Samples]:
+        try:
+            while True:
+                opened.set()
+                yield np.zeros(512, np.float32)
+        finally:
+            closed.set()
+
+    def ears(self: Talking, session: Session, take: Callable[[Words], None]) -> Ears:
+        return Ears(session, take, Endpointer(loudness), Says())
+
+    monkeypatch.setattr(talking.Talking, "_frames", frames)
+    monkeypatch.setattr(talking.Talking, "_ears", ears)
+
+    def lines() -> Iterator[str]:
+        assert opened.wait(10.0)
+        yield "help\n"
+
+    session = open_session(
+        Opening(make_equipment, tmp_path, lambda line, text: None), Transcript("by ear")
+    )
+    told: list[str] = []
+    beside = Talking(TalkSettings(mute=True), told.append)
+    PlainShell(told.append).run(session, lines(), live=False, beside=beside)
+    assert closed.is_set()
+    session.close()
+
+
 def test_without_a_microphone_typing_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
