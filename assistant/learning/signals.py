@@ -5,10 +5,13 @@ A new signal is one function from the motion to the instants it proposes.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 import numpy as np
+from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
 from assistant.geometry import Array
@@ -55,13 +58,15 @@ def gripper_events(recording: Recording, settings: SignalSettings) -> tuple[Grip
     """Return the instants at which the gripper crossed half its travel, in order.
 
     A crossing counts once the opening has gone a band beyond half, so that noise and fingers
-    that stop half way cross once. Source: contract, recording.
+    that stop half way cross once; a hand that is back at once, by a fumble or a fault of its
+    sensor, has done neither. Source: contract, recording.
     """
     if recording.gripper_m is None or len(recording.t_s) < 2:
         return ()
     order = np.argsort(recording.t_s, kind="stable")
     t_s, opening = recording.t_s[order], recording.gripper_m[order]
-    low, high = float(np.min(opening)), float(np.max(opening))
+    usual = median_filter(opening, 3, mode="nearest")
+    low, high = float(np.min(usual)), float(np.max(usual))
     if high - low < settings.least_travel_m:
         return ()
     share = (opening - low) / (high - low) - 0.5
@@ -79,7 +84,19 @@ def gripper_events(recording: Recording, settings: SignalSettings) -> tuple[Grip
         gap = share[stays + 1] - share[stays]
         at = t_s[stays] - share[stays] / gap * (t_s[stays + 1] - t_s[stays])
         events.append(GripperEvent(float(at), kind))
-    return tuple(events)
+    return _held(events, settings.least_held_s)
+
+
+def _held(events: Sequence[GripperEvent], least_s: float) -> tuple[GripperEvent, ...]:
+    """Return events without those that are taken back sooner, the soonest first."""
+    found = list(events)
+    while len(found) > 1:
+        lasting = [then.at_s - here.at_s for here, then in pairwise(found)]
+        soonest = min(range(len(lasting)), key=lasting.__getitem__)
+        if lasting[soonest] >= least_s:
+            break
+        del found[soonest : soonest + 2]
+    return tuple(found)
 
 
 def speed_minima(t_s: Array, speed: Array, settings: SignalSettings) -> tuple[Minimum, ...]:

@@ -56,6 +56,38 @@ def test_fingers_that_stop_half_way_close_once() -> None:
     ]
 
 
+@given(
+    at_s=st.sets(st.sampled_from([0.5, 1.0, 3.0, 5.0, 5.5])),
+    wrong_m=st.sampled_from([-1.0, 0.0, 0.02, 0.08, 0.5]),
+    lasting_s=st.sampled_from([0.01, 0.1]),
+)
+@settings(max_examples=25, deadline=None)
+def test_a_sensor_that_is_wrong_for_a_moment_closes_no_hand(
+    at_s: set[float], wrong_m: float, lasting_s: float
+) -> None:
+    t_s = times(300)
+    opening = np.where((t_s > 2.0) & (t_s < 4.0), 0.02, 0.08)
+    for begin_s in at_s:
+        # One sample may be anything; what lasts is at least an opening.
+        told_m = wrong_m if lasting_s < 0.02 else min(max(wrong_m, 0.02), 0.08)
+        first = round(begin_s / 0.02)
+        opening[first : first + max(round(lasting_s / 0.02), 1)] = told_m
+    events = gripper_events(with_gripper(opening), SignalSettings())
+    close, opened = [(one.kind, one.at_s) for one in events]
+    assert close == ("close", pytest.approx(2.0, abs=0.021))
+    assert opened == ("open", pytest.approx(4.0, abs=0.021))
+
+
+def test_who_lets_go_by_a_slip_of_the_finger_still_holds() -> None:
+    t_s = times(300)
+    held = (t_s > 1.0) & (t_s < 5.0) & ~((t_s > 1.4) & (t_s < 1.6))
+    events = gripper_events(with_gripper(np.where(held, 0.02, 0.08)), SignalSettings())
+    assert [one.at_s for one in events] == [
+        pytest.approx(1.01, abs=0.02),
+        pytest.approx(5.0, abs=0.02),
+    ]
+
+
 @pytest.mark.parametrize("opening_m", [0.0, 0.08])
 def test_a_gripper_that_hardly_moves_has_no_events(opening_m: float) -> None:
     noise = np.random.default_rng(1).normal(0.0, 1e-4, 200)

@@ -15,6 +15,8 @@ class SignalSettings:
     """A gripper that moves less never opened or closed."""
     travel_band: float = 0.2
     """Half-travel crossings count once the opening is this share of travel beyond half."""
+    least_held_s: float = 0.3
+    """Nobody takes or lets go of a thing for less: the hand is where it was."""
     depth: float = 0.35
     """A minimum of speed must be this deep, in log speed, to be proposed."""
     floor: float = 0.06
