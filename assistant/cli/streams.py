@@ -26,7 +26,9 @@ def prepare() -> None:
             setattr(sys, name, os.fdopen(os.open(os.devnull, flags), mode, encoding="utf-8"))
     if isinstance(sys.stdin, io.TextIOWrapper):
         sys.stdin.reconfigure(errors="replace")
-    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors == "strict":
+    # Where the locale has only plain letters, Python writes bytes it cannot spell as they came.
+    unsafe = ("strict", "surrogateescape")
+    if isinstance(sys.stdout, io.TextIOWrapper) and sys.stdout.errors in unsafe:
         sys.stdout.reconfigure(errors="backslashreplace")
 
 

@@ -11,7 +11,7 @@ from assistant.dialogue.cut_words import recut
 from assistant.dialogue.goal_words import regoaled
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
-from assistant.dialogue.keeping import fresh_wanted
+from assistant.dialogue.keeping import fresh_wanted, leave_wanted
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, listed_steps, tidy_name
 from assistant.dialogue.no_things import no_thing
@@ -52,6 +52,9 @@ from assistant.language.asides import (
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
 
+LONGEST_FAREWELL = 6
+"""Words of a goodbye; more tell something else, too."""
+
 
 def aside(dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct]) -> Turn | None:
     """Answer what was said beside the question, or None where it was to the point."""
@@ -84,6 +87,10 @@ def _person(dialogue: Dialogue, words: Words, _: tuple[acts.TeacherAct, ...]) ->
 def _courtesy(dialogue: Dialogue, words: Words, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
     if is_greeting(words.text, dialogue.language):
         return tell(dialogue, line("told", "hello"))
+    said = words.text.split()
+    farewell = len(said) <= LONGEST_FAREWELL and "?" not in words.text
+    if farewell and mentions(words.text, hints("farewells", dialogue.language)):
+        return leave_wanted(dialogue)
     unknown = all(isinstance(act, acts.Unknown | acts.Inform) for act in meant)
     if unknown and is_thanks(words.text, dialogue.language):
         return tell(dialogue, line("told", "welcome"))

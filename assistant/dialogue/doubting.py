@@ -76,6 +76,8 @@ def doubted(
     )
     if instead is not None:
         return instead
+    if any(_moves_nothing(dialogue, act) for act in meant):
+        return misunderstood(dialogue, words)
     if _says_yes_or_no(meant) and dialogue.pending is not None:
         return _yes_or_no(dialogue)
     state = dialogue.state
@@ -91,6 +93,12 @@ def doubted(
     guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
     pending = Pending("did_you_mean", guess, meant, words.text, other=other)
     return _asked_between(dialogue, pending)
+
+
+def _moves_nothing(dialogue: Dialogue, act: acts.TeacherAct) -> bool:
+    """Whether a place is told and not what stands there, nor is that asked."""
+    asked = isinstance(dialogue.state, Introducing) and dialogue.state.thing
+    return isinstance(act, acts.SetPose) and not act.object and not asked
 
 
 def misunderstood(dialogue: Dialogue, words: Words) -> Turn:

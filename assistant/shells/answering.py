@@ -17,7 +17,7 @@ from rich.text import Text
 from assistant.dialogue.conditions import plain_conditions
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.turn import plain_action
-from assistant.language.hints import page
+from assistant.language.hints import hints, mentions, page
 from assistant.language.speech import in_words
 from assistant.model.lesson import LearnedPath, Lesson
 from assistant.model.robot_acts import RobotAct
@@ -25,7 +25,7 @@ from assistant.model.task import Primitive
 from assistant.session.loop import Session
 from assistant.shells import curves
 from assistant.shells.telling import setup_view
-from assistant.shells.trees import Labels, segmentation_views, task_tree
+from assistant.shells.trees import Labels, episodes_view, segmentation_views, task_tree
 
 ROWS = 9
 
@@ -45,8 +45,11 @@ CHANGES = (
 TOPICS = (*CHANGES, "renamed", "dissolved")
 
 
-def picture(session: Session, line: RobotAct) -> RenderableType | None:
-    """Return what to show instead of a line's sentence, None where that tells it best."""
+def picture(session: Session, line: RobotAct, *, asked: str = "") -> RenderableType | None:
+    """Return what to show instead of a line's sentence, None where that tells it best.
+
+    `asked` is what was typed: how the cuts were found is drawn only for who asks for that.
+    """
     if line.act != "told":
         return None
     known = session.dialogue.known
@@ -62,10 +65,17 @@ def picture(session: Session, line: RobotAct) -> RenderableType | None:
             return _sentences("\n".join(one for one in told if one[:1].isdigit()))
         case "setup" if known.setup.places:
             return setup_view(known.setup, labels)
+        case "episodes" if known.lesson is not None and not _in_full(asked, session.language):
+            more = page("terminal", session.language)["more_of_cuts"]
+            return Group(episodes_view(known.lesson, labels), Text(more, style="dim"))
         case _ if known.lesson is not None:
             return _of_lesson(known, known.lesson, line.topic, words, labels)
         case _:
             return None
+
+
+def _in_full(asked: str, language: str) -> bool:
+    return not asked or mentions(asked, hints("cuts_in_full", language))
 
 
 def redrawn(session: Session, line: RobotAct) -> RenderableType | None:

@@ -39,7 +39,7 @@ class PlainShell:
     ) -> None:
         self._pace, self._width = pace, width
         self._write = write
-        self._showing = Showing(write)
+        self._showing = Showing(self._hint)
         self._error: BaseException | None = None
         self._names: dict[str, str] = page("terminal", "english")["names"]
 
@@ -53,6 +53,11 @@ class PlainShell:
             self._write(f"{self._names['robot']}: {text}")
             return
         for one in wrapped(text, self._width, before=f"{self._names['robot']}: "):
+            self._write(one)
+
+    def _hint(self, text: str) -> None:
+        """Write what is no line of the robot's, wrapped where there is a width."""
+        for one in [text] if self._width is None else wrapped(text, self._width):
             self._write(one)
 
     def run(

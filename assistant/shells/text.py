@@ -70,6 +70,7 @@ class TextShell:
         self._error: BaseException | None = None
         self._left_known_s: float | None = None
         self._interrupted = False
+        self._typed = ""
         self._showing = Showing(self._write, keys=True)
         self._heart = Heartbeat(RealClock())
 
@@ -80,7 +81,7 @@ class TextShell:
     def out(self, line: RobotAct, text: str) -> None:
         """Say a robot line above the line being typed."""
         session = self._session
-        shown = None if session is None else picture(session, line)
+        shown = None if session is None else picture(session, line, asked=self._typed)
         if session is not None and shown is not None:
             text = page("terminal", session.language)["pictures"].get(line.topic, text)
         style = STYLES.get(line.act, "")
@@ -147,6 +148,7 @@ class TextShell:
 
     def _take(self, session: Session, text: str) -> None:
         session.raw(text)
+        self._typed = text
         assert self._ticker is not None
         # Whoever drives by keys may talk meanwhile: the lock is taken for each sample.
         every_s = self._showing.by_keys(session, text)

@@ -97,7 +97,7 @@ def segmentation_views(lesson: Lesson, labels: Labels = NO_LABELS) -> Iterator[R
     if lesson.segmentation.points:
         yield _points(lesson.segmentation.points, labels)
     if lesson.segmentation.episodes:
-        yield _episodes(lesson, labels)
+        yield episodes_view(lesson, labels)
 
 
 def _summary(lesson: Lesson) -> str:
@@ -158,7 +158,8 @@ def _points(points: Sequence[SegmentationPoint], labels: Labels) -> Table:
     return table
 
 
-def _episodes(lesson: Lesson, labels: Labels) -> Table:
+def episodes_view(lesson: Lesson, labels: Labels) -> Table:
+    """Return the parts of what was shown, numbered, and what they were taken for."""
     heads = ("nr", "from s", "to s", "primitive", "sure", "motion")
     table = _table("episodes", *heads, labels=labels)
     unknown = "(nobody introduced it)"

@@ -63,9 +63,13 @@ def test_closed_streams_lead_nowhere(monkeypatch: pytest.MonkeyPatch) -> None:
         stream.close()
 
 
-def test_letters_the_output_lacks_are_written_as_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("errors", ["strict", "surrogateescape"])
+def test_letters_the_output_lacks_are_written_as_numbers(
+    errors: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # A plain locale ("C") has the second.
     written = io.BytesIO()
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, "ascii"))
+    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(written, "ascii", errors))
     monkeypatch.setattr(sys, "stdin", io.TextIOWrapper(io.BytesIO(b"gr\xf6\xdfer"), "utf-8"))
     streams.prepare()
     sys.stdout.write(f"größer \ud800 {sys.stdin.read()}\n")

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from assistant.dialogue import effects as fx
 from assistant.dialogue.listening import beneath, listening
 from assistant.dialogue.machine import begin
 from assistant.dialogue.plain_answers import answers_plainly
@@ -199,3 +200,18 @@ def test_the_thing_a_step_concerns_may_be_called_by_what_it_is() -> None:
     assert answers_plainly(asked, answer, "the bowl I suppose")
     assert not answers_plainly(asked, answer, "which bowl?")
     assert not answers_plainly(asked, answer, "the bowl or the tray")
+
+
+def test_a_place_of_nothing_is_not_read_back() -> None:
+    moved = acts.SetPose("", by_mm=(0.0, -60.0, 0.0))
+    teacher = Lessons().introduce().hear(moved, text="only forget the 6 cm", sure=0.5)
+    assert teacher.topics[0] == "error.not_understood"
+    assert teacher.asked == "confirm_tree"
+
+
+@pytest.mark.parametrize("text", ["thank you, goodnight", "ok, bye!", "see you tomorrow"])
+def test_a_goodbye_starts_nothing(text: str) -> None:
+    teacher = Lessons().ready().hear(acts.Start(), text=text, sure=0.6)
+    assert teacher.asked == "unsaved"
+    teacher = Lessons().ready().hear(acts.Start(), text=text)
+    assert not teacher.did(fx.Check)

@@ -68,6 +68,21 @@ def test_the_plan_is_drawn_after_each_change_of_it(
     assert seen in texts[0]
 
 
+def test_how_the_cuts_were_found_is_drawn_only_for_who_asks(
+    taught: tuple[Session, Heard], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NO_COLOR", "1")
+    session, _ = taught
+    line = RobotAct("told", "episodes")
+    short, full = (picture(session, line, asked=one) for one in ("show me", "show the votes"))
+    assert short is not None
+    assert full is not None
+    few, many = (rendered(one, 70).split("\n") for one in (short, full))
+    assert len(few) < 12 < len(many)
+    assert "show the votes" in few[-1]
+    assert not any("eliminated" in one for one in few)
+
+
 def test_other_changes_draw_no_plan(taught: tuple[Session, Heard]) -> None:
     session, _ = taught
     assert redrawn(session, RobotAct("done", "undone", slots={"what": "correction"})) is None

@@ -78,3 +78,16 @@ def test_what_cannot_be_shown_is_told_and_the_robot_still_watches(tmp_path: Path
 def test_in_german_the_speaker_is_named_in_german(tmp_path: Path) -> None:
     told = talk(tmp_path, "aufräumen", "beenden", "nein", language="german")
     assert all(line.startswith("Roboter: ") for line in told)
+
+
+def test_hints_are_no_wider_than_the_terminal(tmp_path: Path) -> None:
+    told: list[str] = []
+    shell = PlainShell(told.append, 1.0, 40)
+    header = Transcript(
+        "plain", arm="kinematic", task=str(shipped("tasks") / "pick_and_place.yaml")
+    )
+    session = open_session(Opening(make_equipment, tmp_path, shell.out, shell.attach), header)
+    shell.run(session, iter(("go\n",)), live=False)
+    session.close()
+    assert any("scripted hand" in line for line in told)
+    assert max(map(len, told)) < 40
