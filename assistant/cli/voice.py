@@ -12,8 +12,17 @@ import sys
 import tempfile
 from itertools import islice
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from assistant.errors import BadInput
+
+if TYPE_CHECKING:
+    from assistant.shells.voice.clips import ClipReader
+    from assistant.shells.voice.mouth import Mouth
+    from assistant.shells.voice.sound import Sound
+
+AFTER_S = 1.0
+"""A loudspeaker and a microphone may be so late."""
 
 
 def arguments(parser: argparse.ArgumentParser) -> None:
@@ -77,17 +86,47 @@ def _meter(seconds: float = 5.0) -> None:
 
 
 def _loop(text: str) -> int:
-    from assistant.model.listening import Listening
-    from assistant.model.teacher_acts import act_name
+    """Speak and hear a sentence: through the air where there is a microphone, and by a file."""
+    from assistant.errors import AssistantError
     from assistant.shells.voice.clips import ClipReader
     from assistant.shells.voice.mouth import Mouth
     from assistant.shells.voice.sound import read_sound
 
-    mouth = Mouth()
+    mouth, reader = Mouth(), ClipReader()
+    try:
+        print(_told(mouth, text, "through the air ", reader, _by_air(mouth, text)))
+    except AssistantError as error:
+        print(f"not through the air: {error}", file=sys.stderr)
     with tempfile.TemporaryDirectory() as folder:
         spoken = Path(folder) / "loop.wav"
         mouth.write(text, spoken)
-        heard = ClipReader().read(read_sound(spoken), Listening(stage="practice"))
-    acts = ", ".join(act_name(act) for act in heard.acts)
-    print(f'{mouth.engine} said "{text}"; heard "{heard.heard}": {acts} ({heard.confidence:.2f})')
+        print(_told(mouth, text, "", reader, read_sound(spoken)))
     return 0
+
+
+def _told(mouth: Mouth, text: str, how: str, reader: ClipReader, sound: Sound) -> str:
+    from assistant.model.listening import Listening
+    from assistant.model.teacher_acts import act_name
+
+    heard = reader.read(sound, Listening(stage="practice"))
+    acts = ", ".join(act_name(act) for act in heard.acts)
+    meant = f'heard "{heard.heard}": {acts} ({heard.confidence:.2f})'
+    return f'{mouth.engine} said "{text}"; {how}{meant if heard.heard else "heard nothing"}'
+
+
+def _by_air(mouth: Mouth, text: str) -> Sound:
+    """Return what the microphone hears while a sentence is spoken aloud, and a second longer."""
+    import numpy as np
+
+    from assistant.shells.voice.devices import check_microphone, microphone_frames
+    from assistant.shells.voice.endpointing import FRAME_S
+    from assistant.shells.voice.sound import Sound
+
+    check_microphone()
+    frames = microphone_frames()
+    heard = [next(frames)]
+    mouth.say(text)
+    while mouth.speaking:
+        heard.append(next(frames))
+    heard += islice(frames, round(AFTER_S / FRAME_S))
+    return Sound(np.concatenate(heard))
