@@ -15,7 +15,9 @@ from pathlib import Path
 from typing import Any, cast
 
 from assistant.language.commands import settled
-from assistant.language.cutting import cuts
+from assistant.language.cutting import cuts, sure_cuts
+from assistant.language.last_word import uncontradicted
+from assistant.language.leading_answers import with_answer
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
@@ -46,7 +48,7 @@ from assistant.model.teacher_acts import (
 from assistant.plain_yaml import read_file
 
 CUT_BELOW = 0.93
-"""A line is cut where the whole is less likely one act."""
+"""A line is cut anywhere where the whole is less likely one act, else only where both are sure."""
 PLAIN_FROM = 0.5
 """A sentence of the phrasebook is weighed where its words tell its act less likely."""
 _BESIDE_ANSWERS = (*ASIDE, Inform, Unknown)
@@ -233,7 +235,7 @@ def sure_looks(ranked: Sequence[tuple[float, Candidate]]) -> Looks:
 
 
 def _told(weights: Mapping[str, float], looks: Looks) -> float:
-    return sum(weights.get(name, 0.0) * value for name, value in looks.items())
+    return sum([weights.get(name, 0.0) * value for name, value in looks.items()])
 
 
 def candidates(
@@ -243,7 +245,8 @@ def candidates(
     pool: dict[str, Candidate] = {}
 
     def add(acts: tuple[TeacherAct, ...], looks: Looks) -> None:
-        acts = unbent(acts, words, hearing)
+        acts = uncontradicted(unbent(acts, words, hearing), words, hearing)
+        acts = with_answer(acts, words, hearing)
         one = pool.setdefault(key_of(acts), Candidate(acts))
         one.looks = {**looks, **one.looks}
 
@@ -278,11 +281,12 @@ def _learned(
     for rank, one in enumerate(whole[:_MOST_WHOLE]):
         looks = {"whole": 1.0, "whole_act": one.act_log, "whole_slots": one.slots_log}
         found.append(((one.act,), {**looks, "whole_top": float(rank == 0)}))
-    if max(chances.values()) >= CUT_BELOW:
-        return found
-    for rank, cut in enumerate(cuts(words, hearing)):
+    sure = max(chances.values()) >= CUT_BELOW
+    for rank, cut in enumerate(
+        sure_cuts(words, chances, hearing) if sure else cuts(words, hearing)
+    ):
         looks = {"cut": 1.0, "cut_mean": cut.mean_log, "cut_least": cut.least_log}
-        looks |= {"cut_marked": cut.marked, "cut_top": float(rank == 0)}
+        looks |= {"cut_marked": cut.marked, "cut_top": float(rank == 0), "cut_sure": float(sure)}
         found.append((tuple(one.act for one in cut.clauses), looks))
     return found
 

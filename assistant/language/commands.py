@@ -53,7 +53,7 @@ from assistant.model.teacher_acts import (
 
 LEAST_MENDED = 0.7
 _LONGEST_PLAIN = 4
-_YES_OR_NO = frozenset(
+YES_OR_NO = frozenset(
     ("confirm_tree", "confirm_segmentation", "did_you_mean", "ready", "unsaved", "pose", "order")
 )
 
@@ -62,7 +62,7 @@ def plain_answer(words: Words, parse: Parse | None, hearing: Hearing) -> Parse |
     """Return yes or no where a question was asked and only they are understood for sure."""
     asked, first = hearing.listening.asked, words[0].text
     plain = (*hearing.book.yes, *hearing.book.no)
-    if (asked not in _YES_OR_NO and asked != "satisfied") or first not in plain:
+    if (asked not in YES_OR_NO and asked != "satisfied") or first not in plain:
         return parse
     if len(words) > 1 and not words[1].broken:
         return parse
@@ -153,7 +153,7 @@ def _denied(words: Words, hearing: Hearing) -> Parse | None:
 
 _SURELY_MORE = (AddSubtask, Assign, Merge, MoveCut, Rename, Split)
 """What nobody says by chance behind a no: told by several words, names among them."""
-_NO_WITH_MORE = _YES_OR_NO | {"satisfied"}
+_NO_WITH_MORE = YES_OR_NO | {"satisfied"}
 _NO_MORE = (Deny, Affirm, Unknown, Stop, Undo, RepeatLine, AdjustLast, Save, Approve)
 
 
@@ -178,7 +178,7 @@ def settled(parse: Parse, listening: Listening) -> Parse:
     acts = tuple(act for act in acts if not isinstance(act, Unknown)) or acts[:1]
     if any(isinstance(act, RepeatLine) for act in acts):
         acts = tuple(act for act in acts if not isinstance(act, Again))
-    if listening.asked in _YES_OR_NO - {"ready"} and isinstance(acts[0], Affirm):
+    if listening.asked in YES_OR_NO - {"ready"} and isinstance(acts[0], Affirm):
         acts = acts[:1] + tuple(act for act in acts[1:] if not isinstance(act, Start | Resume))
     if all(isinstance(act, Affirm | Approve) for act in acts):
         acts = acts[:1] if listening.asked else acts[-1:]
@@ -212,7 +212,7 @@ def _again_last(acts: tuple[TeacherAct, ...]) -> tuple[TeacherAct, ...]:
 
 def _answered(acts: tuple[TeacherAct, ...], listening: Listening) -> tuple[TeacherAct, ...]:
     """Return acts without a yes or no that what was asked does not want."""
-    if listening.asked in _YES_OR_NO:
+    if listening.asked in YES_OR_NO:
         acts = tuple(Affirm() if isinstance(act, Approve) else act for act in acts)
     if len(acts) < 2 or not isinstance(acts[0], Affirm | Deny):
         return acts

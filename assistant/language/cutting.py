@@ -2,14 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
+from math import log
 
+from assistant.language.answers import OPEN
 from assistant.language.learned import Learned, learned
 from assistant.language.parsing import Hearing
 from assistant.language.words import Words
 
 _MOST_CUTS = 5
+_SHORTEST = 2
+_ALONE = frozenset(
+    ("unknown", "inform", "explain", "key_state", "affirm", "deny", "approve", "cue")
+)
+_SURE = log(0.5)
+"""How likely both halves are at least of a line that is likely one act."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,12 +33,7 @@ class Cut:
 
 def cuts(words: Words, hearing: Hearing) -> list[Cut]:
     """Return the likeliest ways to cut a line into two or three clauses."""
-    joints = hearing.book.little["cut_joints"]
-    places = [
-        at
-        for at in range(1, len(words))
-        if words[at].broken or (words[at].text in joints and at + 1 < len(words))
-    ][:_MOST_CUTS]
+    places = _places(words, hearing)
     read: dict[tuple[int, int], Learned | None] = {}
     found: list[Cut] = []
     for count in (1, 2):
@@ -40,6 +44,37 @@ def cuts(words: Words, hearing: Hearing) -> list[Cut]:
         ]
         found.extend(sorted(ways, key=lambda one: -one.mean_log)[: 3 - count])
     return found
+
+
+def _places(words: Words, hearing: Hearing) -> list[int]:
+    """Return where a clause may begin."""
+    joints = hearing.book.little["cut_joints"]
+    return [
+        at
+        for at in range(1, len(words))
+        if words[at].broken or (words[at].text in joints and at + 1 < len(words))
+    ][:_MOST_CUTS]
+
+
+def sure_cuts(words: Words, chances: Mapping[str, float], hearing: Hearing) -> list[Cut]:
+    """Return the likeliest way to cut a line in two whose halves are both surely acts.
+
+    Words that tell one act surely may drown those of another, "drop it, and add one", but in
+    names, texts and talk.
+    """
+    likeliest = max(chances, key=chances.__getitem__).partition(" ")[0]
+    if hearing.listening.asked in OPEN or likeliest in _ALONE:
+        return []
+    places = _places(words, hearing)
+    ways = [(at,) for at in places if _SHORTEST <= at <= len(words) - _SHORTEST]
+    read: dict[tuple[int, int], Learned | None] = {}
+    found = [one for one in (_read(words, way, read, hearing) for way in ways) if one]
+    sure = [one for one in found if one.least_log >= _SURE and _unlike(one)]
+    return sorted(sure, key=lambda one: -one.mean_log)[:1]
+
+
+def _unlike(cut: Cut) -> bool:
+    return len({str(one.act) for one in cut.clauses}) == len(cut.clauses)
 
 
 def _read(

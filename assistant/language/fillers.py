@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 from assistant.language.answers import LISTS, OPEN
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.words import Word, Words
@@ -28,7 +26,7 @@ def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Word
             continue
         word = words[at]
         parted = broken and not word.broken and bool(kept)
-        kept.append(replace(word, broken=True) if parted else word)
+        kept.append(Word(word.text, word.said, True) if parted else word)
         broken = False
         at += 1
     said = _unaddressed(tuple(kept) or words, asked, book)
@@ -55,7 +53,7 @@ def _ordered(words: Words, book: Phrasebook) -> Words:
         return words
     stems = (verb[:-2] + "e", verb[:-2], verb[:-1])
     stem = next((one for one in stems if one in book.vocabulary), "")
-    return (replace(words[0], text=stem), *words[2:]) if stem else words
+    return (Word(stem, words[0].said, words[0].broken), *words[2:]) if stem else words
 
 
 def _marks(words: Words, at: int, mark: str, book: Phrasebook) -> bool:
@@ -91,7 +89,7 @@ def _once_each(words: Words, book: Phrasebook) -> Words:
             if len(again) == size and little and _texts(part) == _texts(again):
                 words = (
                     *words[:at],
-                    replace(again[0], broken=part[0].broken),
+                    Word(again[0].text, again[0].said, part[0].broken),
                     *words[at + size + 1 :],
                 )
                 at = max(-1, at - size - 1)

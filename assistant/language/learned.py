@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, cast
 
 from assistant.language.answers import LISTS
@@ -17,13 +17,13 @@ from assistant.language.frames import frames
 from assistant.language.likelihood import likelihoods
 from assistant.language.motion import degree_of, factor_of
 from assistant.language.parsing import Hearing, texts_of
-from assistant.language.poses import read_pose
+from assistant.language.placed import posed
 from assistant.language.repair import respelled
 from assistant.language.runs import named_text
 from assistant.language.tagging import TAKES, Tagged, chain, seconded, tagging, unparted
 from assistant.language.traits import NO_TRAITS, word_traits
 from assistant.language.words import OWNER, Words, said, told
-from assistant.model.teacher_acts import ACTS, SetPose, TeacherAct, Where
+from assistant.model.teacher_acts import ACTS, TeacherAct, Where
 
 LEAST, MOST = 0.05, 4
 """Acts are looked for that are likelier, this many at most."""
@@ -137,7 +137,7 @@ def made(
     if filler is not None and not filler(label, slots, amount, words, spelled, hearing):
         return None
     if name == "set_pose":
-        return _pose(slots, words, spelled, hearing)
+        return posed(str(slots.get("object", "")), spelled, hearing)
     if any(value in ("", ()) for value in slots.values()) or _told_twice(slots):
         return None
     try:
@@ -283,18 +283,3 @@ _FILLERS: Mapping[str, Callable[[str, _Slots, _Span, Words, Words, Hearing], boo
     "explain": _texted,
     "key_state": _texted,
 }
-
-
-def _pose(slots: _Slots, words: Words, spelled: Words, hearing: Hearing) -> TeacherAct | None:
-    name = str(slots.get("object", ""))
-    listening = replace(hearing.listening, asked="pose", objects=(name,) if name else ())
-    broken = [w.broken for w in spelled]
-    found = read_pose(texts_of(spelled), broken, listening, hearing.book)
-    if found is None:
-        return None
-    known = next(
-        (one for one in hearing.listening.objects if name and name in one.lower().split()), name
-    )
-    return SetPose(
-        known or found.act.object, found.act.position_mm, found.act.rpy_deg, found.act.by_mm
-    )

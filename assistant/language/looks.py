@@ -62,7 +62,7 @@ def look_at(
 ) -> None:
     """Add to readings how they stand beside each other, and what each is made of."""
     grammar = _labels(weighed.acts)
-    best = max(chances, key=lambda label: chances[label], default="")
+    best = max(chances, key=chances.__getitem__, default="")
     for one in pool:
         one.looks |= _beside(one, grammar, best, chances)
         one.looks |= _names(one, words, hearing)
@@ -110,7 +110,7 @@ def _labels(acts: Sequence[TeacherAct]) -> list[str]:
 def _beside(one: Candidate, grammar: list[str], best: str, chances: Chances) -> Looks:
     labels, looks = _labels(one.acts), one.looks
     told = chance(one.acts, chances)
-    rival = max((p for label, p in chances.items() if label not in labels), default=0.0)
+    rival = max([p for label, p in chances.items() if label not in labels], default=0.0)
     weighed = "weighed" in looks
     return {
         "chance": math.log(max(told, _LEAST)),

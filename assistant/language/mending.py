@@ -49,8 +49,10 @@ def mended(words: Words, hearing: Hearing) -> Iterator[Words]:
 
 def without_marks(words: Words, marks: Sequence[Phrase]) -> Words:
     """Take further marks off the front, and one off the end: "sorry, slower I meant"."""
-    texts = texts_of(words)
+    texts = texts_of(words) or ("",)
     for phrase in marks:
+        if phrase[0] != texts[0] and phrase[-1] != texts[-1]:
+            continue
         size = len(phrase)
         if len(words) > size and texts[:size] == phrase:
             return without_marks(words[size:], marks)
@@ -70,6 +72,10 @@ def _without_marks_behind(words: Words, marks: Sequence[Phrase]) -> Words:
 def _replaced(before: Words, behind: Words, hearing: Hearing) -> Iterator[Words]:
     first = behind[0]
     amount, again = _amount(before, hearing), _amount(behind, hearing)
+    bare = _bare_number(behind, hearing)
+    if amount and bare:
+        # "down two millimetres, wait, make it three": the unit told before holds.
+        yield (*before[: amount[0]], *behind, *before[amount[0] + bare :])
     if amount and not again:
         yield (*before[slice(*amount)], *behind)
     if amount and again and again[0] == 0:
@@ -96,6 +102,13 @@ def _amount(words: Words, hearing: Hearing) -> tuple[int, int] | None:
             return at, end
         at = end
     return None
+
+
+def _bare_number(words: Words, hearing: Hearing) -> int:
+    """Return how many words a number without a unit has that is all there is; else none."""
+    found = hearing.book.numbers.quantity(texts_of(words), 0)
+    bare = found is not None and found.kind == "" and found.end == len(words)
+    return len(words) if bare else 0
 
 
 def _unbroken(word: Word, place: Word) -> Word:

@@ -56,7 +56,7 @@ def _by_place(words: Sequence[str], names: Sequence[str], book: Phrasebook) -> s
 
 
 def _likeness(words: Sequence[str], name: str, little: LittleWords) -> float:
-    said, known = _stems(words, little), _content(name, little)
+    said, known = _stems(_parted(" ".join(words)), little), _content(name, little)
     if not said or not known:
         return 0.0
     common = said & known
@@ -72,7 +72,12 @@ def _shared(words: Sequence[str], name: str, little: LittleWords) -> int:
 
 
 def _content(name: str, little: LittleWords) -> set[str]:
-    return _stems(name.lower().split(), little)
+    return _stems(_parted(name.lower()), little)
+
+
+def _parted(name: str) -> list[str]:
+    """Return the words of a name, those of a code apart: "v block" may be said of "v_block"."""
+    return name.replace("_", " ").split()
 
 
 def _stems(words: Sequence[str], little: LittleWords) -> set[str]:

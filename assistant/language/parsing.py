@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from assistant.language.phrasebook import Phrase, Phrasebook
 from assistant.language.words import Word, Words
@@ -115,7 +115,7 @@ def _base(word: Word, book: Phrasebook) -> Word:
     stem = word.text.removesuffix(ending)
     for form in (stem, f"{stem}e", stem[:-1]):
         if form in book.vocabulary:
-            return replace(word, text=form)
+            return Word(form, word.said, word.broken)
     return word
 
 

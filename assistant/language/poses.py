@@ -66,7 +66,8 @@ def read_pose(
     position = _position(lengths)
     turned = _turned(angles, words, book)
     by = None if position else displacement(words, book)
-    if by is None and position is None and (turned is None or body is None):
+    meant = body is not None or listening.asked == "pose"
+    if by is None and position is None and (turned is None or not meant):
         return None
     if position is None and body is not None and not _told(words, book, listening):
         return None
@@ -152,7 +153,10 @@ def _told_first(words: Sequence[str], book: Phrasebook) -> tuple[str, int, int] 
     while len(name) > 1 and name[-1] in little["behind_names"]:
         name = name[:-1]
     fit = 0 < len(name) <= _LONGEST_NAME and not set(name) & little["no_bodies"]
-    return (" ".join(name), 0, end) if fit and not any(c.isdigit() for c in "".join(name)) else None
+    turning = {word for phrase in book.answer_words["pose_turning"] for word in phrase}
+    # "rpy 0 0 90" tells no thing, and of "heat sink HS2" the number is no place.
+    counted = any(not any(map(str.isalpha, word)) for word in name)
+    return (" ".join(name), 0, end) if fit and not counted and set(name) - turning else None
 
 
 _LONGEST_NAME = 4

@@ -202,6 +202,7 @@ _SOUNDS = str.maketrans("cqgjzxdbv", "kkkksstpf")
 _SILENT = re.compile(r"[aeiouyhw]+")
 
 
+@lru_cache(maxsize=4096)
 def _sound(word: str) -> str:
     """Return the consonants of a word as they sound, doubled ones once."""
     plain = word.replace("ph", "f").replace("gh", "").replace("ck", "k").translate(_SOUNDS)
@@ -211,6 +212,7 @@ def _sound(word: str) -> str:
 
 def homophones(words: Words, book: Phrasebook) -> Words:
     """Return the words with those replaced that recognizers take for others."""
+    texts = tuple([word.text for word in words])
     found: list[Word] = []
     at = 0
     while at < len(words):
@@ -218,8 +220,7 @@ def homophones(words: Words, book: Phrasebook) -> Words:
             (
                 size
                 for size in (4, 3, 2, 1)
-                if tuple(word.text for word in words[at : at + size]) in book.homophones
-                and len(words[at : at + size]) == size
+                if at + size <= len(words) and texts[at : at + size] in book.homophones
             ),
             0,
         )

@@ -7,6 +7,7 @@ hand should do is a correction, and so is whatever "should" be or is "too" far.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 from assistant.language.naming import without_article
 from assistant.language.phrasebook import Phrase, Phrasebook
@@ -52,6 +53,7 @@ def _parted(words: Sequence[str], book: Phrasebook) -> Sequence[str]:
     return (*words[:at], words[at].removesuffix(OWNER), *book.little["is"], *words[at + 1 :])
 
 
+@lru_cache(maxsize=64)
 def _told(book: Phrasebook, name: str) -> frozenset[str]:
     return frozenset(phrase[0] for phrase in book.answer_words.get(f"pose_{name}", ()))
 

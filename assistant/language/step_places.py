@@ -136,7 +136,7 @@ def place_in(words: Words, hearing: Hearing) -> Words:
     """Take the subject off "you place it", and the article off "the grasp"."""
     texts = texts_of(words)
     for phrase in hearing.book.where["subject"]:
-        if len(phrase) < len(words) and texts[: len(phrase)] == phrase:
+        if texts[:1] == phrase[:1] and len(phrase) < len(words) and texts[: len(phrase)] == phrase:
             return place_in(words[len(phrase) :], hearing)
     return words
 

@@ -14,24 +14,28 @@ from functools import cached_property
 from typing import Any
 
 from assistant.language.hints import hints
-from assistant.language.words import cleaned
+from assistant.language.words import cleaned, plain
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import TeacherAct, Where
 
-_WORDS = re.compile(r"[^\W_]+(?:'[^\W_]+)*")
-_JOINED = re.compile(r"(?<=[^\W_])[-_'](?=[^\W_])")
+_WORDS = re.compile(r"[^\W_]+(?:'(?!s(?![^\W_]))[^\W_]+)*")
+_JOINED = re.compile(r"(?<=[^\W_])(?:[-_]|'(?!s(?![^\W_])))(?=[^\W_])")
 _JOINERS = re.compile(r"[-_\s]+|'(?=\s)")
 _TOLD = frozenset(
     ("value", "text", "old", "new", "name", "object", "first", "second", "after", "before")
 ) | {"subtask", "subtasks"}
 """Slots whose text is the teacher's own; the others hold words of the contract."""
+_LOOSE_MARKS = re.compile(r"-|(?<![^\W_])_|_(?![^\W_])")
 _STEM = 4
 """Letters by which an inflected noun is known."""
 
 
 def plain_name(name: str) -> str:
-    """Return a name in the form words are compared in: "Pick-and-Place" is "pick and place"."""
-    return " ".join(re.sub(r"[-_]", " ", cleaned(name).lower()).split())
+    """Return a name in the form words are compared in: "Pick-and-Place" is "pick and place".
+
+    One with a letter or a code joined to it is one word, as in a line: "V-block" is "v_block".
+    """
+    return " ".join(_LOOSE_MARKS.sub(" ", plain(name)).split())
 
 
 def plainly(listening: Listening) -> Listening:
@@ -88,13 +92,15 @@ class _Line:
     def words(self) -> list[re.Match[str]]:
         return list(_WORDS.finditer(self.text))
 
-    def name(self, plain: str) -> str:
+    def name(self, told: str) -> str:
         """Return a name as it is known, or as it stands in the line, or as it is."""
-        if plain in self.known:
-            return self.known[plain]
-        found = next(self._places(plain), None)
+        if told in self.known:
+            return self.known[told]
+        found = next(self._places(told), None) or self._compound(told)
         if found is None:
-            return " ".join(map(self._noun, plain.split())) if self.nouns_large else plain
+            unjoined = told.replace("_", "-")
+            large = self.nouns_large
+            return " ".join(map(self._noun, unjoined.split())) if large else unjoined
         part = self._part(*found)
         loud = not any(letter.islower() for letter in self.text)
         return part.lower() if loud else self._begun(part, found[0])
@@ -102,21 +108,41 @@ class _Line:
     def _part(self, first: int, last: int) -> str:
         return " ".join(self.text[self.words[first].start() : self.words[last].end()].split())
 
-    def _places(self, plain: str) -> Iterator[tuple[int, int]]:
+    def _places(self, told: str) -> Iterator[tuple[int, int]]:
         """Yield the first and last word where a name stands whole, in no longer compound."""
-        size = len(_WORDS.findall(plain))
+        size = len(_WORDS.findall(told))
         for first in range(len(self.words) - size + 1) if size else ():
             last = first + size - 1
             begin, end = self.words[first].start(), self.words[last].end()
             within = _JOINED.match(self.text, begin - 1) or _JOINED.match(self.text, end)
-            if not within and _loose(self.text[begin:end]) == _loose(plain):
+            if not within and _loose(self.text[begin:end]) == _loose(told):
                 yield first, last
+
+    def _compound(self, told: str) -> tuple[int, int] | None:
+        """Return where the one compound stands that a name is a part of: "heat-sink" of "heat"."""
+        size, found = len(_WORDS.findall(told)), list[tuple[int, int]]()
+        for first in range(len(self.words) - size + 1) if size else ():
+            last = first + size - 1
+            part = self.text[self.words[first].start() : self.words[last].end()]
+            if _loose(part) != _loose(told):
+                continue
+            while first and self._hyphened(first):
+                first -= 1
+            while last + 1 < len(self.words) and self._hyphened(last + 1):
+                last += 1
+            found.append((first, last))
+        return found[0] if len(found) == 1 else None
+
+    def _hyphened(self, at: int) -> bool:
+        """Tell whether a hyphen alone stands before a word."""
+        return self.text[self.words[at - 1].end() : self.words[at].start()] in ("-", "_")
 
     def _begun(self, part: str, first: int) -> str:
         """Return a name without the capital that only begins a sentence."""
         before = self.text[: self.words[first].start()].rstrip(" \"'(")
         begins = not before or before[-1] in ".!?:"
-        if self.nouns_large or not begins or any(letter.isupper() for letter in part[1:]):
+        coded = not part[1:2].isalpha() or any(letter.isupper() for letter in part[1:])
+        if self.nouns_large or not begins or coded:
             return part
         return part[0].lower() + part[1:]
 

@@ -63,7 +63,7 @@ def strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> boo
 
 def consenting(weighed: Parse, chances: Chances, hearing: Hearing) -> bool:
     """Tell whether the only rivals say the same: yes and praise, or yes and go when asked so."""
-    first = max(chances, key=lambda label: chances[label])
+    first = max(chances, key=chances.__getitem__)
     agreeing = {"affirm", "start" if hearing.listening.asked == "ready" else "approve"}
     return {first, *map(label_of, weighed.acts)} <= agreeing
 

@@ -12,8 +12,11 @@ from dataclasses import replace
 from assistant.language.answers import OPEN, trimmed
 from assistant.language.choosing import chosen
 from assistant.language.commands import command, consent, plain_answer, settled, unknown
+from assistant.language.counted import counted, only_counted
+from assistant.language.cries import cried
 from assistant.language.fillers import bare_verbs, without_fillers
 from assistant.language.guessing import guess, urgent
+from assistant.language.last_word import commanded, last_answer
 from assistant.language.naming import known_name
 from assistant.language.open_answers import MOTION, answered, goalless
 from assistant.language.parsing import (
@@ -85,6 +88,8 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     if listening.asked not in OPEN:
         words = _once(words)
     plain = consent(words, hearing) or goalless(words, hearing)
+    plain = plain or counted(words, hearing) or only_counted(words, hearing)
+    plain = plain or last_answer(words, hearing)
     if plain is not None:
         return Reading(_agreed(plain, heard_words, hearing), words, words, {}, hearing)
     short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
@@ -93,6 +98,8 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     else:
         heard, parse = _best(words, hearing)
     parse = replace(parse, acts=unbent(parse.acts, heard, hearing))
+    if commanded(parse, heard, hearing):
+        return Reading(parse, words, heard, {}, hearing)
     chances = chances_of(words, heard, hearing)
     grammar = weighed(parse, heard, chances, hearing)
     grammar = replace(grammar, acts=unbent(grammar.acts, heard, hearing))
@@ -139,7 +146,7 @@ def _best(words: Words, hearing: Hearing) -> tuple[Words, Parse]:
         parse = _meaning(variant, hearing)
         if parse.score * _REPAIRED > best.score and not isinstance(parse.acts[0], Unknown):
             best, heard = replace(parse, score=parse.score * _REPAIRED), variant
-    if best.score < LIKELY and urgent(spelled, hearing):
+    if best.score < LIKELY and (urgent(spelled, hearing) or cried(words, hearing)):
         return spelled, Parse((Stop(),), LIKELY)
     if best.score < DOUBTFUL or isinstance(best.acts[0], Unknown):
         likely = guess(spelled, hearing)

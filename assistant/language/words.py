@@ -8,7 +8,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from assistant.language.little_words import LittleWords
 
@@ -28,9 +28,8 @@ LED = "_"
 MOST_CHARACTERS = 2000
 
 
-@dataclass(frozen=True, slots=True)
-class Word:
-    """One word.
+class Word(NamedTuple):
+    """One word; a named tuple, for lines are looked up by their words.
 
     Parameters
     ----------
@@ -58,7 +57,23 @@ def cleaned(text: str) -> str:
 
 def plain(text: str) -> str:
     """Return the text in lower case with simple apostrophes, dashes and spaces."""
-    return " ".join(_UNDERSCORES.sub(" ", cleaned(text).lower()).split())
+    told = _UNDERSCORES.sub(" ", cleaned(text).lower())
+    return " ".join(_HYPHENED.sub(_coded, told).split())
+
+
+def _coded(found: re.Match[str]) -> str:
+    """Return a name such as "vortex-10s" or "v-block" as one word; "w-wait" only stutters."""
+    parts = found.group().split("-")
+    mixed = any(not one.isalpha() and not one.isdigit() for one in parts)
+    numbered = len(parts) == 2 and parts[0] not in _AXES and parts[1].isdigit()
+    lone = [one for one in parts if len(one) == 1 and one.isalpha()]
+    lettered = len(parts[0]) == 1 and (numbered or parts[-1].isalpha())
+    stutters = bool(lone) and all(parts[-1].startswith(one) for one in lone)
+    return "_".join(parts) if (mixed or lettered) and not stutters else found.group()
+
+
+_HYPHENED = re.compile(r"(?<![\w-])[^\W\d_][^\W_]*(?:-[^\W_]+)+(?![\w-])")
+_AXES = frozenset("xyz")
 
 
 def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:

@@ -5,6 +5,7 @@ import pytest
 from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import act_to_json
+from tests.language.heard_as import heard_as
 
 
 @pytest.mark.parametrize(
@@ -75,3 +76,10 @@ def test_a_stop_in_a_hurry_is_a_step_where_it_is_counted(text: str, act: dict[st
 def test_in_motion_it_stops_even_so(text: str) -> None:
     meant = understand(text, Listening(stage="practice", moving=True))
     assert [act_to_json(one) for one in meant.acts] == [{"act": "stop"}]
+
+
+@pytest.mark.parametrize(
+    ("text", "distance_m"), [("up two cm, wait, make it four", 0.04), ("up 5 mm, no, 3", 0.003)]
+)
+def test_a_number_that_replaces_another_keeps_its_unit(text: str, distance_m: float) -> None:
+    assert heard_as(text) == [{"act": "translate", "direction": "up", "distance_m": distance_m}]

@@ -8,8 +8,10 @@ from hypothesis import strategies as st
 
 from assistant.language.surface import dressed, plain_name, plainly
 from assistant.language.understanding import understand
+from assistant.language.words import plain
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
+    Compare,
     Inform,
     Load,
     Optional,
@@ -96,3 +98,36 @@ def test_german_nouns_keep_their_capitals() -> None:
     assert acts("Becher stapeln", asked, "de") == (Inform("Becher stapeln"),)
     out = dressed((Inform("roter becher"),), "nimm den roten Becher", asked, "de")
     assert out == (Inform("roter Becher"),)
+
+
+@pytest.mark.parametrize("name", ["V-seat", "vortex-10s", "B-12", "run-07b", "heat-sink HS2"])
+def test_a_name_with_a_letter_or_a_code_stays_whole(name: str) -> None:
+    assert acts(f"rename grip to {name}") == (Rename("grip", name),)
+    assert acts(f"compare with {name}") == (Compare(name),)
+    known = Listening("learning", subtasks=("grip", name))
+    assert acts(f"{name} is optional", known) == (Optional(name),)
+
+
+def test_a_code_may_be_said_without_its_hyphen() -> None:
+    known = Listening("learning", subtasks=("grip", "V-seat"))
+    assert acts("v seat is optional", known) == (Optional("V-seat"),)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("w-wait", "w-wait"),
+        ("x-50 y-120", "x-50 y-120"),
+        ("5-mm", "5-mm"),
+        ("pick-up", "pick-up"),
+        ("step-2", "step-2"),
+        ("V-block's", "v_block's"),
+        ("T-10", "t_10"),
+    ],
+)
+def test_only_names_are_kept_whole(text: str, told: str) -> None:
+    assert plain(text) == told
+
+
+def test_a_part_of_a_compound_goes_out_whole() -> None:
+    assert dressed((Save("heat"),), "save the heat-sink", PRACTICE, "en") == (Save("heat-sink"),)
