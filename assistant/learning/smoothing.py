@@ -15,6 +15,9 @@ import numpy as np
 
 from assistant.geometry import (
     Array,
+    angle_between,
+    distance_between,
+    interpolate,
     quat_from_rotvec,
     quat_inverse,
     quat_multiply,
@@ -27,6 +30,12 @@ from assistant.model.settings import SmoothingSettings
 _PLACE_ONLY = np.array([[1.0, 0.0, 0.0]])
 _SAME_STEP = 0.1
 _SETTLED = 1e-6
+_MOST_M_S2 = 20.0
+"""A hand that shows something never turns back as sharply as this, from one sample to the next."""
+_SPIKE_M = 0.01
+"""What is less is noise, which the smoother sees to."""
+_TURN_M = 0.1
+"""Metres that count like one radian."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,11 +125,37 @@ def distinct(recording: Recording, most_samples: int) -> tuple[Array, Array, Arr
     gripper_m = None if recording.gripper_m is None else recording.gripper_m[order][first].copy()
     if np.any(count > 1):
         path[:, :3] = np.add.reduceat(recording.path[order][:, :3], first, axis=0) / count[:, None]
+    path = _without_spikes(t_s, path)
     stride = -(-len(t_s) // max(most_samples, 2))
     if stride > 1:
         t_s, path = t_s[::stride], path[::stride]
         gripper_m = None if gripper_m is None else gripper_m[::stride]
     return t_s, path, gripper_m
+
+
+def _without_spikes(t_s: Array, path: Array) -> Array:
+    """Return the path with single samples that no hand could reach taken from their neighbors.
+
+    A tracker that is wrong for one sample would bend the smoothed path by a tenth of its error.
+    """
+    if len(t_s) < 5:
+        return path
+    share = (t_s[1:-1] - t_s[:-2]) / (t_s[2:] - t_s[:-2])
+    between = interpolate(path[:-2], path[2:], share)
+    off_m = _apart_m(path[1:-1], between)
+    reach_m = 0.5 * _MOST_M_S2 * np.diff(t_s)[:-1] * np.diff(t_s)[1:]
+    # Beside a sample that is off alone, its neighbors look half as wrong; at a jump two do equally.
+    alone = off_m[1:-1] > 1.5 * np.maximum(off_m[:-2], off_m[2:])
+    wrong = 2 + np.flatnonzero(alone & (off_m > np.maximum(reach_m, _SPIKE_M))[1:-1])
+    out = path.copy()
+    out[wrong] = between[wrong - 1]
+    return out
+
+
+def _apart_m(first: Array, second: Array) -> Array:
+    return np.asarray(
+        np.hypot(distance_between(first, second), _TURN_M * angle_between(first, second))
+    )
 
 
 def _development(quats: Array) -> Array:

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from assistant.geometry import Array, angle_between, quat_from_rpy
+from assistant.geometry import Array, angle_between, quat_from_rpy, quat_multiply
 from assistant.learning.smoothing import smooth
 from assistant.model.demonstration import Recording
 from assistant.model.settings import SmoothingSettings
@@ -52,10 +52,10 @@ def test_a_steady_turn_has_its_rate_in_the_hands_frame() -> None:
 def test_equal_times_are_averaged_and_gaps_are_told() -> None:
     t_s = np.array([0.0, 0.02, 0.02, 0.04, 0.06, 0.08, 1.5, 1.52])
     path = wavy(t_s)
-    path[2, 0] += 2.0
+    path[2, 0] += 0.01
     smoothed = smooth(Recording(t_s, path, np.arange(8.0)), SmoothingSettings(cutoff_hz=1e3))
     assert smoothed.t_s == pytest.approx([0.0, 0.02, 0.04, 0.06, 0.08, 1.5, 1.52])
-    assert smoothed.path[1, 0] == pytest.approx(path[1, 0] + 1.0, abs=1e-3)
+    assert smoothed.path[1, 0] == pytest.approx(path[1, 0] + 0.005, abs=1e-3)
     assert smoothed.gripper_m is not None
     assert smoothed.gripper_m[1] == 1.0
     assert smoothed.gaps_s == ((0.08, 1.5),)
@@ -80,3 +80,35 @@ def test_what_is_returned_cannot_be_changed() -> None:
     smoothed = smooth(Recording(steps(4, 1.0), wavy(steps(4, 1.0))))
     with pytest.raises(ValueError, match="read-only"):
         smoothed.path[0, 0] = 1.0
+
+
+@given(
+    at=st.integers(2, 297),
+    off_m=st.floats(0.02, 2.0),
+    turned_rad=st.sampled_from([0.0, 0.5, 3.0]),
+    step_s=st.sampled_from([0.004, 0.02, 0.04]),
+)
+@settings(max_examples=10, deadline=None)
+def test_a_tracker_that_is_wrong_for_one_sample_bends_no_path(
+    at: int, off_m: float, turned_rad: float, step_s: float
+) -> None:
+    t_s = steps(300, step_s)
+    true = wavy(t_s)
+    wrong = true.copy()
+    wrong[at, :3] += np.array([0.6, -0.8, 0.0]) * off_m
+    spin = quat_from_rpy(np.array([turned_rad, 0.0, 0.0]))
+    wrong[at, 3:] = quat_multiply(wrong[at, 3:], spin)
+    found, told = smooth(Recording(t_s, wrong)), smooth(Recording(t_s, true))
+    assert found.path[:, :3] == pytest.approx(told.path[:, :3], abs=1e-3)
+    assert np.max(angle_between(found.path, told.path)) < 0.02
+
+
+def test_what_a_hand_can_do_is_left_as_it_was_shown() -> None:
+    """A stroke there and back in a tenth of a second, and a start from rest to full speed."""
+    t_s = steps(100, 0.02)
+    path = wavy(t_s)
+    path[40:46, 2] += 0.02 * np.array([0.3, 0.8, 1.0, 1.0, 0.8, 0.3])
+    path[70:, 0] += 0.01 * np.arange(30)
+    sharp = SmoothingSettings(cutoff_hz=1e3)
+    smoothed = smooth(Recording(t_s, path), sharp)
+    assert smoothed.path[:, :3] == pytest.approx(path[:, :3], abs=2e-4)
