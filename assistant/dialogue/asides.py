@@ -14,7 +14,7 @@ from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted, leave_wanted
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, listed_steps, tidy_name
-from assistant.dialogue.no_things import no_thing
+from assistant.dialogue.no_things import no_thing, sized
 from assistant.dialogue.plan_words import (
     added,
     called,
@@ -214,6 +214,7 @@ _REPLIES = (
     told_several,
     slip,
     no_thing,
+    sized,
     regoaled,
     _late,
     _standing,

@@ -25,6 +25,7 @@ from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
 from assistant.dialogue.finding import find_whole, name_at, spoken_of, unclear
 from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.sketch import at, leaves
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then, with_other
 from assistant.model import teacher_acts as acts
@@ -115,14 +116,16 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
 
 
 def _leaf_under(dialogue: Dialogue, name: str) -> str:
-    """Return the last primitive of a node, where its goal is reached; a primitive is itself."""
-    index = index_of(dialogue.known, name)
-    node = dialogue.known.root
-    for position in index:
-        node = node.parts[position - 1]
-    while node.parts:
-        node = node.parts[-1]
-    return node.name
+    """Return the primitive of a node in which its goal is reached; a primitive is itself.
+
+    That is where the hand acts last, as it grasps or lets go: what follows only leaves.
+    """
+    known = dialogue.known
+    node = at(known.root, index_of(known, name))
+    names = [leaf.name for _, leaf in leaves(node)] or [node.name]
+    stations = known.lesson.stations if known.lesson is not None else ()
+    acted = {one.primitive for one in stations}
+    return next((one for one in reversed(names) if one in acted), names[-1])
 
 
 def _hand(dialogue: Dialogue, act: acts.Gripper, *, sure: bool) -> Turn:

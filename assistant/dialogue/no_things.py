@@ -1,11 +1,11 @@
-"""What was taken for a thing and is none: a step told too early, a word misread (paper II-A)."""
+"""What was taken for a thing and is none, and how big the others are taken to be (paper II-A)."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
 
-from assistant.dialogue.asking import proceed
+from assistant.dialogue.asking import proceed, tell
 from assistant.dialogue.naming import alike
 from assistant.dialogue.state import Dialogue, Introducing
 from assistant.dialogue.things import things_in
@@ -25,6 +25,16 @@ def no_thing(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()
     named = _others(dialogue, words)
     # "No" to the question where it is leaves that to the showing.
     return named or (_denied(dialogue, state.thing, words.text) if state.asked == "body" else None)
+
+
+def sized(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
+    """Tell how big a thing is taken to be, for who asks; None for other talk."""
+    bodies, text = dialogue.known.scene.bodies, words.text.lower()
+    named = [name for name in bodies if mentions(text, (name.lower(),))]
+    if len(named) != 1 or not mentions(text, hints("asks_size", dialogue.language)):
+        return None
+    cm = [round(side / 10.0, 1) for side in bodies[named[0]].size_mm]
+    return tell(dialogue, line("told", "size", thing=named[0], x=cm[0], y=cm[1], z=cm[2]))
 
 
 def _others(dialogue: Dialogue, words: Words) -> Turn | None:

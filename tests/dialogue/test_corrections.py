@@ -14,11 +14,13 @@ from hypothesis import strategies as st
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
+from assistant.dialogue.sketch import Sketch, inserted
 from assistant.geometry import rotate_vector
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.feedback import Feedback
 from assistant.model.motion import ArmReport
+from assistant.model.task import Action
 from tests.dialogue.teaching import SCENE, Lessons
 
 
@@ -264,3 +266,15 @@ def test_an_undo_of_what_was_changed_in_place_names_the_last_words() -> None:
     assert phrase(teacher.lines[0]) == 'I took back the last correction: "up, half of that".'
     teacher.hear(acts.Redo(), text="redo")
     assert phrase(teacher.lines[0]) == 'I brought back the last correction: "up, half of that".'
+
+
+def test_when_you_place_it_is_where_the_hand_lets_go_and_not_as_it_leaves() -> None:
+    teacher = Lessons().ready()
+    known = teacher.dialogue.known
+    leaving = Sketch("move back", True, (), action=Action("move", "backward"))
+    more = replace(known, root=inserted(known.root, (2,), 3, leaving))
+    teacher = Lessons(replace(teacher.dialogue, known=more))
+    teacher.hear(acts.Translate("up", where=acts.Where("place object", "during")))
+    assert last(teacher).primitive == "place object on target"
+    teacher.hear(acts.Translate("up", where=acts.Where("move back", "during")))
+    assert last(teacher).primitive == "move back"

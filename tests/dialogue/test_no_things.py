@@ -34,3 +34,12 @@ def test_the_things_that_are_told_instead_are_taken(text: str) -> None:
 def test_other_words_take_nothing_back(text: str) -> None:
     teacher = asked_about("lid").hear(acts.Unknown(), text=text)
     assert [one.name for one in teacher.dialogue.known.objects or ()] == ["lid"]
+
+
+def test_how_big_a_thing_is_taken_to_be_is_told() -> None:
+    teacher = Lessons().ready().hear(acts.Unknown(), text="what size is the block?")
+    assert teacher.topics == ["told.size", "ask.ready_slow"]
+    size_mm = teacher.dialogue.known.scene.bodies["block"].size_mm
+    told = teacher.lines[0].slots
+    assert [10.0 * float(told[axis]) for axis in "xyz"] == pytest.approx(size_mm)
+    assert "told.size" not in Lessons().ready().hear(acts.Unknown(), text="how big?").topics
