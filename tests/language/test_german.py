@@ -242,3 +242,16 @@ def test_what_is_forbidden_is_not_wanted(text: str, first: str, second: str) -> 
 def test_what_is_shown_once_more_is_no_practice(text: str) -> None:
     (act,) = understand(text, PRACTICE, "german").acts
     assert isinstance(act, Show)
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["das ist halt so", "halt fest", "halt die Klappe", "halt dich kurz", "mach halt weiter"],
+)
+def test_a_halt_that_is_none_stops_nothing_at_rest(text: str) -> None:
+    assert Stop() not in understand(text, PRACTICE, "german").acts
+
+
+@pytest.mark.parametrize("text", ["hey stopp, pass auf", "halt halt halt, das wird nix"])
+def test_a_stop_among_calls_stops(text: str) -> None:
+    assert understand(text, PRACTICE, "german").acts == (Stop(),)
