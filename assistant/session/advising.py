@@ -22,7 +22,7 @@ Help = Literal["closer", "farther", "turn_left", "turn_right", "higher"]
 Advice = tuple[str, float]
 """What would help, and by how many mm or deg."""
 
-FARTHER_MM = (25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0)
+FARTHER_MM = (25.0, 50.0, 75.0, 100.0, 125.0, 150.0, 175.0, 200.0, 225.0, 250.0, 275.0, 300.0)
 TURNS_DEG = (15.0, 30.0, 45.0, 60.0, 90.0, 120.0, 180.0)
 HIGHER_MM = (25.0, 50.0, 75.0, 100.0, 150.0, 200.0, 300.0)
 AMOUNTS: Mapping[Help, tuple[float, ...]] = {
