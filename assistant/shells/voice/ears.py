@@ -29,6 +29,9 @@ SHORT_ANSWERS = frozenset(
 )  # fmt: skip
 """Questions whose answer is a word or two: silence ends it sooner."""
 
+TAIL_FRAMES = 4
+"""So much later the robot's own voice is heard no more: an eighth of a second."""
+
 
 class Spotter(Protocol):
     """Tells at once when it hears stop."""
@@ -99,6 +102,7 @@ class Ears:
         self._voice = voice
         self._headset = headset
         self._talked_over = False
+        self._since_own = 0
         self._frames = 0
         self._spotted_s = -1.0
         self._waiting: queue.Queue[tuple[Utterance, bool] | Utterance | None] = queue.Queue()
@@ -140,7 +144,9 @@ class Ears:
                 return
             if ended := self._hear(frame):
                 yield ended
-            elif ahead is not None and (paused := self._endpointer.paused()):
+            elif ahead is None or not self._matters(self._talked_over):
+                continue
+            elif paused := self._endpointer.paused():
                 ahead(paused)
         if last := self._endpointer.end():
             yield last, self._talked_over
@@ -162,10 +168,15 @@ class Ears:
         self._endpointer.short_answer = self._session.listening.asked in SHORT_ANSWERS
         ended = self._endpointer.hear(frame)
         self._spot(frame)
-        over = self._endpointer.speaking and self._voice is not None and self._voice.speaking
+        own = self._voice is not None and self._voice.speaking
+        self._since_own = 0 if own else self._since_own + 1
+        over = self._endpointer.speaking and own
         if over and self._headset and self._voice is not None:
             self._voice.hush()
         self._talked_over = self._talked_over or (over and not self._headset)
+        if ended is None and self._talked_over and self._since_own == TAIL_FRAMES:
+            # Whoever answers at once is not to be taken for the robot.
+            ended = self._endpointer.end()
         if ended is None:
             if not self._endpointer.speaking:
                 self._talked_over = False
@@ -184,7 +195,13 @@ class Ears:
         self._spotted_s = self.now_s
         self._give(Words("stop", 1.0, 0.0))
 
+    def _matters(self, talked_over: bool) -> bool:
+        """Whether to recognize it: at rest the robot's own voice is nothing to spend time on."""
+        return self._session.moving or not talked_over
+
     def _understand(self, utterance: Utterance, talked_over: bool) -> None:
+        if not self._matters(talked_over):
+            return
         heard = self._heard(utterance)
         words = heard.text
         if not words or self._is_own(words, talked_over) or self._is_noise(heard):

@@ -93,7 +93,6 @@ class Talking:
             target=self._run, args=(session, take), name="ears", daemon=True
         )
         self._thread.start()
-        atexit.register(self._hear_no_more)
 
     def finish(self) -> None:
         """Wait until a sound file has been heard; a microphone is heard no longer."""
@@ -125,6 +124,8 @@ class Talking:
     def _run(self, session: Session, take: Callable[[Words], None]) -> None:
         try:
             frames = self._until_over(self._frames(session))
+            # Behind the sound library's own: what is told of last is done first.
+            atexit.register(self._hear_no_more)
             ears = self._ears(session, take)
         except AssistantError as error:
             self._show(f"  ({error}; {TYPING})")

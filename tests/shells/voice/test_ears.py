@@ -172,6 +172,17 @@ def test_without_a_headset_only_stop_is_heard_while_the_robot_speaks() -> None:
     assert moving.equipment.stop_flag.is_set()
 
 
+def test_who_answers_before_the_robot_has_quite_ended_is_heard() -> None:
+    room = Room(speaking=True, own_words="is that right")
+
+    def told() -> Iterator[Samples]:
+        yield from frames((0.5, 0.0), (0.6, 0.5))
+        room.speaking = False
+        yield from frames((0.15, 0.0), (0.6, 0.5), (0.8, 0.0))
+
+    assert [one.text for one in hear(room, "slower", told())] == ["slower"]
+
+
 def test_with_a_headset_the_robot_falls_silent() -> None:
     room = Room(speaking=True)
     taken = hear(room, "slower", frames(*UTTERANCE), headset=True)
@@ -234,3 +245,11 @@ def test_what_was_recognized_ahead_of_the_end_is_not_recognized_again(changes: b
     assert [one.text for one in taken] == ["slower"]
     assert counts.asked[-1] == room.listening
     assert len(counts.asked) == 1 + changes
+
+
+@pytest.mark.parametrize(("moving", "recognized"), [(False, 0), (True, 1)])
+def test_at_rest_the_robots_own_voice_is_not_even_recognized(moving: bool, recognized: int) -> None:
+    room, counts = Room(speaking=True, moving=moving), Counts("slower")
+    ears = Ears(cast("Session", room), lambda words: None, Endpointer(loudness), counts, voice=room)
+    ears.listen(frames(*UTTERANCE), beside=False)
+    assert len(counts.asked) == recognized
