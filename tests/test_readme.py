@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from assistant.cli.running import VERBS
 from assistant.cli.adapters import make_equipment
+from assistant.cli.running import VERBS
 from assistant.files.shipped import shipped
 from assistant.files.transcripts import read_transcript
 from assistant.session.player import Player
