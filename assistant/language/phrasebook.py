@@ -8,6 +8,7 @@ from functools import cache
 from typing import Any, cast
 
 from assistant.language.bends import Bends, bends_of
+from assistant.language.counting import number_words
 from assistant.language.lists import (
     Phrase as Phrase,
 )
@@ -22,7 +23,7 @@ from assistant.language.lists import (
 )
 from assistant.language.little_words import LANGUAGES as LANGUAGES
 from assistant.language.little_words import LittleWords, folder_of, little_words
-from assistant.language.numbers import NumberWords, number_words
+from assistant.language.numbers import NumberWords
 from assistant.language.templates import (
     Node,
     Reader,

@@ -3,7 +3,7 @@ from typing import Any
 import pytest
 
 from assistant.language.completion import suggestions
-from assistant.language.numbers import glued
+from assistant.language.counting import glued
 from assistant.language.phrasebook import phrasebook
 from assistant.language.stopping import has_stop_word
 from assistant.language.understanding import understand

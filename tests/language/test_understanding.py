@@ -81,6 +81,9 @@ def test_while_moving_a_stop_word_anywhere_stops(text: str, language: str, cry: 
         "when does the next bus stop here",
         "we should stop by the shop",
         "i can't stop laughing",
+        "stop singing so loudly",
+        "stop being silly",
+        "halo there",
     ],
 )
 def test_at_rest_talk_of_stopping_is_no_stop(text: str) -> None:
