@@ -25,6 +25,7 @@ from assistant.dialogue.plan_words import (
 )
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.several import told_several
+from assistant.dialogue.shown_wrongly import shown_wrongly
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
 from assistant.dialogue.state import (
@@ -210,6 +211,7 @@ _REPLIES = (
     removed,
     swapped,
     shown_again,
+    shown_wrongly,
     order_freed,
     told_several,
     slip,
