@@ -178,6 +178,8 @@ def in_the_way(
         if trouble.what == ELBOW:
             away = key_for("w", facing=facing)
             return f"{told} {str(words['folded']).format(key=away)}"
+        if trouble.reason == "collision" and not held:
+            return f"{told} {str(words['palm']).format(key=key_for('g', facing=facing))}"
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
     put_down = bool(held) and trouble.text == "contact"
     template = words["put_down"] if put_down else words["faults"][trouble.text]

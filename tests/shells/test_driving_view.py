@@ -157,6 +157,9 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
     assert told == "I do not go: at the next step joint 5 would pass its limit."
     wound = in_the_way(Refusal("joint_limit", "next step", "joint 4"), WORDS, "english")
     assert "another order" in wound
+    low = Refusal("collision", "next step", "table")
+    assert "tilt it down (g)" in in_the_way(low, WORDS, "english")
+    assert "tilt" not in in_the_way(low, WORDS, "english", "block")
     slipped = ArmReport("unmet", 1.0, text="held", object="block")
     assert "block slipped" in in_the_way(slipped, WORDS, "english")
     for text in OTHERS:
