@@ -35,14 +35,20 @@ def last_answer(words: Words, hearing: Hearing) -> Parse | None:
 def uncontradicted(
     acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing
 ) -> tuple[TeacherAct, ...]:
-    """Return acts without a motion whose opposite follows, where that takes it back."""
-    if len(acts) < 2:
-        return acts
-    if _joined(words, hearing) or not any(word.broken for word in words[1:]):
+    """Return acts without a motion whose opposite follows, where that takes it back.
+
+    "Put the block down 2 cm higher" is one motion, too: down is how a block is put.
+    """
+    if len(acts) < 2 or _joined(words, hearing):
         return acts
     marks = {phrase[0] for phrase in hearing.book.correction if len(phrase) == 1}
     marked = bool(marks & set(texts_of(words)))
-    taken = {n for n, (one, two) in enumerate(pairwise(acts)) if _opposite(one, two, marked)}
+    broken = any(word.broken for word in words[1:])
+    taken = {
+        n
+        for n, (one, two) in enumerate(pairwise(acts))
+        if _opposite(one, two, marked) and (broken or not _bare(two))
+    }
     return tuple(act for n, act in enumerate(acts) if n not in taken)
 
 
@@ -65,9 +71,15 @@ def _opposite(one: TeacherAct, other: TeacherAct, marked: bool) -> bool:
         return False
     if not isinstance(other, Translate | Rotate) or one.where != other.where:
         return False
-    told = one.distance_m if isinstance(one, Translate) else one.angle_deg
-    bare = told is None and one.degree is None
-    return OPPOSITE.get(one.direction) == other.direction and (marked or bare)
+    return OPPOSITE.get(one.direction) == other.direction and (marked or _bare(one))
+
+
+def _bare(act: TeacherAct) -> bool:
+    """Tell a motion of which nobody said how far."""
+    if not isinstance(act, Translate | Rotate):
+        return False
+    told = act.distance_m if isinstance(act, Translate) else act.angle_deg
+    return told is None and act.degree is None
 
 
 def commanded(parse: Parse, words: Words, hearing: Hearing) -> bool:

@@ -61,3 +61,13 @@ def test_a_motion_where_a_start_was_asked_for_is_a_motion(text: str, direction: 
 @pytest.mark.parametrize("text", ["go", "go ahead", "up we go", "right, off you go", "go on"])
 def test_words_for_beginning_are_a_start(text: str) -> None:
     assert acts(text, "ready") in ([{"act": "start"}], [{"act": "affirm"}])
+
+
+@pytest.mark.parametrize("text", ["put the block down 2 cm higher", "set it down 2 cm higher"])
+def test_how_a_thing_is_put_is_no_way_it_goes(text: str) -> None:
+    assert acts(text) == [{"act": "translate", "direction": "up", "distance_m": 0.02}]
+
+
+def test_two_ways_of_which_nothing_is_told_are_both_kept() -> None:
+    both = Translate("up"), Translate("down")
+    assert kept("up down", *both) == both
