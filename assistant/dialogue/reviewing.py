@@ -111,6 +111,7 @@ def read_back(known: Knowledge) -> RobotAct:
         episodes=episodes,
         cue_lag_s=None if lag is None else round(lag, 1),
         waited_s=_waited_s(lesson) if lesson else None,
+        shown=len(known.demonstrations) if len(known.demonstrations) > 1 else None,
     )
 
 

@@ -7,6 +7,7 @@ import pytest
 from assistant.dialogue import effects as fx
 from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
+from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons, demonstration, lesson
 
@@ -28,6 +29,7 @@ def test_shown_once_more_is_learned_from_as_well() -> None:
     teacher = shown_twice()
     assert shown(teacher) == 2
     assert public_view(teacher.dialogue)["stage"] == "learning"
+    assert 'from all 2 times you showed it; say "only the new one"' in phrase(teacher.lines[0])
 
 
 @pytest.mark.parametrize(
