@@ -34,11 +34,7 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
     known = dialogue.known
     if event.lesson is None:
         fewer = _without_last(dialogue)
-        waiting = replace(
-            changed(dialogue, "demonstration", fewer),
-            state=AwaitingShow(),
-            learn_why=event.why_not,
-        )
+        waiting = replace(changed(dialogue, "demonstration", fewer), state=AwaitingShow())
         slots = {**event.facts, "reason": event.why_not}
         wide = too_wide(known) if event.why_not == "never_closed" else ""
         if wide:

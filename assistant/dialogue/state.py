@@ -245,7 +245,6 @@ class Dialogue:
     leaving: bool = False
     after: After = ("", "")
     comparing: bool = False
-    learn_why: str = ""
 
     @property
     def language(self) -> str:

@@ -8,7 +8,7 @@ from typing import Literal
 
 from assistant.language.naming import without_article
 from assistant.language.numbers import Quantity
-from assistant.language.phrasebook import Phrase, Phrasebook
+from assistant.language.phrasebook import Phrasebook
 from assistant.language.tags import tags_of
 from assistant.model.directions import WAYS, Triple
 from assistant.model.listening import Listening
@@ -289,8 +289,3 @@ def displacement(words: Sequence[str], book: Phrasebook) -> tuple[float, float, 
 
 def _clean(value: float) -> float:
     return float(f"{value:.9g}") + 0.0
-
-
-def pose_words(book: Phrasebook) -> tuple[Phrase, ...]:
-    """Return the words that tell places, for repair."""
-    return book.answer_words["pose_turning"]

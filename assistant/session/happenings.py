@@ -18,14 +18,11 @@ from assistant.files.scenes import read_scene, write_scene
 from assistant.files.setups import read_setups, write_setups
 from assistant.files.tasks import read_task, write_task
 from assistant.model.lesson import Lesson
-from assistant.model.listening import Listening, Understanding
 from assistant.model.motion import Alignment, ArmReport, Measure, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.model.task import Subtask, Task
 from assistant.model.transcript import Happened, TeacherLine
-
-Understand = Callable[[str, Listening], Understanding]
 
 
 class Store:

@@ -23,7 +23,6 @@ from assistant.model.teacher_acts import Cue, KeyState
 from assistant.ports import HandSample
 
 HEADER = "t_s,x_m,y_m,z_m,qx,qy,qz,qw,gripper_m"
-GRIPPER_UNKNOWN = ""
 
 
 @dataclass(slots=True)

@@ -56,15 +56,6 @@ class Examples:
     clips: NDArray[np.int64]
     late_s: NDArray[np.float64]
 
-    def and_those(self, other: Examples) -> Examples:
-        """Return these examples and others."""
-        return Examples(
-            np.concatenate([self.features, other.features]),
-            np.concatenate([self.labels, other.labels]),
-            np.concatenate([self.clips, other.clips + self.clips.max() + 1]),
-            np.concatenate([self.late_s, other.late_s]),
-        )
-
 
 def examples(
     sentences: Iterator[tuple[bool, Samples]], embed: Embedder, rng: np.random.Generator

@@ -46,12 +46,9 @@ _HELD_OUT_VARIANTS = ("f3", "f5", "m2", "m4", "m6", "David", "Alicia", "belinda"
 _ACCENTS = ("en-us", "en-gb", "en-gb-scotland", "en-gb-x-rp", "en-029")
 
 
-_PITCHES = (0.85, 0.92, 1.06, 1.14, 1.22)
-_SLOWNESSES = (0.85, 1.0, 1.2)
 OTHERS_EACH = 14
 """So many sentences without a stop by each speaker, drawn anew."""
 PIECE_S = 8
-HELD_OUT = "jm_kumo", "jf_nezumi", "jf_gongitsune"
 MIXED = "jf_alpha", "jf_tebukuro"
 
 
