@@ -18,43 +18,31 @@ import numpy as np
 from assistant.geometry import (
     Array,
     compose,
-    quat_inverse,
-    quat_multiply,
-    rotate_vector,
 )
 from assistant.model.motion import JointPath, Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import ArmLook
 from sim import a465
-from sim.branches import STRAIGHT_RAD
 from sim.driving import TIP, Asked, Driven, Pace, driven, stepped
 from sim.fine_path import FinePath
 from sim.kinematics import (
-    WRIST_NEGATIVE,
-    Flags,
-    branch_of,
     forward,
-    inverse_all,
     limit_margin,
 )
 from sim.phases import Phase, phases
+from sim.tracking import PATH, STANDS_RAD, seated, tour, tracked
 from sim.world import CONTROL_S
-from sim.wrist import ENDS, forearm_turn, led, plane_of, suited
+from sim.wrist import ENDS
 
 LEAVES_RAD = math.radians(0.85)
 """The hand's turn is never further off than this: 2 mm at the flange."""
 SETTLE_TICKS = 70
 """The wrist is given so long to come right once the hand stands."""
-STANDS_RAD = 2e-5
-AHEAD = np.array([1.0, 0.0, 0.0])
-PATH = "next step"
-"""By how much the next step is too far says nothing: it is told without."""
 LEAVES_M = 0.0005
 """The point between the fingers is never further off its line than this."""
 SETTLED_RAD = 1e-3
 """A hand at rest is right to this, also where joint 4 is kept from its end."""
-ROUNDS, SHARE = 6, 0.6
 
 PACES = (
     Pace(1.0, 1.0, 15),
@@ -70,7 +58,7 @@ PACES = (
 Asking = Callable[[Pace], Asked]
 STEPS = tuple(pace for pace in PACES if pace.ticks > 5)
 """A step that cannot be made to its end is not begun: only its haste is tried."""
-SMALL_M = 0.02
+SMALL_M = 0.05
 SMALL_STEPS = (*STEPS, Pace(0.08, 0.1, 10), Pace(0.03, 0.05, 10))
 """With the elbow nearly straight even a small step of the hand is a great one for it."""
 
@@ -109,6 +97,8 @@ class Jogger:
         self._gripper_m = look.gripper_m
         self._phase = _around(scene, setup, look)
         self._tour = tour(scene, look)
+        self.touching = ""
+        """What of the arm, the hand or what it holds met something in the last try."""
 
     def towards(self, now: Driven, speed: Array, *, seats: bool = False) -> Jog | Refusal:
         """Return a motion that takes up a speed, shape (6,), and ends at rest.
@@ -168,11 +158,19 @@ class Jogger:
         if margin.min() < 0.0:
             joint = int(np.argmax(np.abs(jog.q[int(np.argmin(margin))]) - a465.LIMITS))
             return Refusal("joint_limit", PATH, f"joint {joint + 1}")
-        opening = np.full(len(jog.q), self._gripper_m)
-        touch = self._phase.touches(jog.q, opening, np.zeros(len(jog.q), dtype=np.int64))
-        if not touch.free:
-            return Refusal("collision", PATH, touch.thing)
-        return _too_fast(now, jog, self._most_m_s)
+        return self._met(jog.q) or _too_fast(now, jog, self._most_m_s)
+
+    def _met(self, q: Array) -> Refusal | None:
+        opening = np.full(len(q), self._gripper_m)
+        touch = self._phase.touches(q, opening, np.zeros(len(q), dtype=np.int64))
+        self.touching = "" if touch.free else touch.part
+        return None if touch.free else Refusal("collision", PATH, touch.thing)
+
+    def along(self, q: Array) -> Jog | Refusal:
+        """Return a motion through joints, shape (n, 6), one a tick, if nothing is in its way."""
+        tips = compose(forward(q), TIP)
+        jog = Jog(np.array(q), tips, np.zeros((len(q), 6)), np.zeros(len(q)))
+        return self._met(jog.q) or jog
 
 
 def _around(scene: Scene, setup: Setup, look: ArmLook) -> Phase:
@@ -183,80 +181,6 @@ def _around(scene: Scene, setup: Setup, look: ArmLook) -> Phase:
     known = scene.bodies
     things = [replace(t, bears=True) if t.name in known else t for t in around.things]
     return replace(around, things=tuple(things))
-
-
-def tour(scene: Scene, look: ArmLook) -> tuple[float, ...]:
-    """Return the planes of the wrist where a teacher is likely to go, in likely order.
-
-    A full hand goes to places first, an empty one to what can be grasped.
-    """
-    known = [(n, scene.bodies[n]) for n in look.bodies if n in scene.bodies and n != look.held]
-    known.sort(key=lambda one: (one[1].mass_kg > 0.0) is bool(look.held))
-    if not known:
-        return ()
-    hands = np.array([compose(look.bodies[name], body.hand_in_body) for name, body in known])
-    branch = int(branch_of(look.q)) & ~WRIST_NEGATIVE
-    arm = inverse_all(hands)[:, branch, :3]
-    planes = plane_of(quat_multiply(quat_inverse(forearm_turn(arm)), hands[:, 3:]))
-    return tuple(planes[~np.isnan(planes)].tolist())
-
-
-def tracked(
-    now: Driven, tips: Array, resting: Flags, tour: Sequence[float] = ()
-) -> tuple[Array, Array] | Refusal:
-    """Return joints, shape (n, 6), that hold the tips, and how far the hand's turn is off.
-
-    Parameters
-    ----------
-    now : Driven
-    tips : array, shape (n, 7)
-        As asked; the first is where the arm was asked to be now.
-    resting : array of bool, shape (n,)
-    tour : sequence of float
-        As for `sim.wrist.led`.
-    """
-    branch = int(branch_of(now.q)) & ~WRIST_NEGATIVE
-    ahead = rotate_vector(tips[:, 3:], AHEAD)
-    here = rotate_vector(forward(now.q)[3:], AHEAD)
-    for _ in range(ROUNDS):
-        ahead[0] = here
-        arm = _arm_joints(tips[:, :3] - (a465.TCP_M + a465.FLANGE_M) * ahead, branch)
-        if np.isnan(arm).any():
-            return Refusal("reach", PATH)
-        base = forearm_turn(arm)
-        turns = quat_multiply(quat_inverse(base), tips[:, 3:])
-        wrist, off = led(turns, now.q[3:], float(now.q_speed[3]), resting, tour)
-        if off.max() < STANDS_RAD:
-            break
-        # The hand is off by a little: the point between the fingers is kept where it should be.
-        q = np.concatenate([arm, wrist], axis=1)
-        ahead += SHARE * (rotate_vector(forward(q)[:, 3:], AHEAD) - ahead)
-        ahead /= np.linalg.norm(ahead, axis=1, keepdims=True)
-    q = np.concatenate([arm, wrist], axis=1)
-    q[0] = now.q
-    return q, off
-
-
-def seated(now: Driven, tips: Array, tour: Sequence[float] = ()) -> Driven:
-    """Return the arm with a singular wrist split as suits the tips that are asked for."""
-    if abs(float(now.q[4])) > STRAIGHT_RAD:
-        return now
-    branch = int(branch_of(now.q)) & ~WRIST_NEGATIVE
-    reach = (a465.TCP_M + a465.FLANGE_M) * rotate_vector(tips[:, 3:], AHEAD)
-    arm = _arm_joints(tips[:, :3] - reach, branch)
-    if np.isnan(arm).any():
-        return now
-    turns = quat_multiply(quat_inverse(forearm_turn(arm)), tips[:, 3:])
-    q = np.array(now.q)
-    q[3:] = suited(turns, q[3:], tour)
-    return Driven.resting(q, now.tip)
-
-
-def _arm_joints(wrists: Array, branch: int) -> Array:
-    """Return joints 1 to 3, shape (n, 3), for places of the wrist's middle, shape (n, 3)."""
-    poses = np.zeros((len(wrists), 7))
-    poses[:, :3], poses[:, 6] = wrists + a465.FLANGE_M * AHEAD, 1.0
-    return np.array(inverse_all(poses)[:, branch, :3])
 
 
 def _too_fast(now: Driven, jog: Jog, most_m_s: float) -> Refusal | None:

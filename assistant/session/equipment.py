@@ -29,8 +29,13 @@ class DrivenState(Protocol):
     """What a display of a driven hand shows."""
 
     @property
-    def speed(self) -> float:
-        """Factor of the usual speed."""
+    def step_mm(self) -> float:
+        """How far a tap moves the hand now."""
+        ...
+
+    @property
+    def step_deg(self) -> float:
+        """How far a tap turns it now."""
         ...
 
     @property
@@ -41,6 +46,21 @@ class DrivenState(Protocol):
     @property
     def blocked(self) -> Refusal | ArmReport | None:
         """Why the last motion was not begun, or what ended it."""
+        ...
+
+    @property
+    def touching(self) -> str:
+        """Which part of the arm or the hand that is in the way of."""
+        ...
+
+    @property
+    def gave_way_mm(self) -> float:
+        """How far the hand went aside in the last step: its reach ends there."""
+        ...
+
+    @property
+    def returning(self) -> bool:
+        """Whether what was done last is being taken back; none of that is shown."""
         ...
 
 

@@ -47,6 +47,11 @@ class Watching:
         """The recording's clock."""
         return self.samples[-1].t_s if self.samples else 0.0
 
+    @property
+    def shown_s(self) -> float:
+        """The last instant on the hand's own clock; before zero where nothing was shown."""
+        return self.samples[-1].t_s - self._offset_s if self.samples else -1.0
+
     def said_s(self, event: Event) -> float:
         """Return when words began on the recording's clock; anything else happens now."""
         ago_s = event.ago_s if isinstance(event, Heard) else 0.0
@@ -65,6 +70,21 @@ class Watching:
             return
         try:
             self._write(self.path, sample)
+        except OSError as error:
+            self.trouble = f"{self.path}: {error.strerror}"
+
+    def take_back(self, to_s: float) -> None:
+        """Forget what was shown, and said, from an instant of the hand's clock on."""
+        to_s += self._offset_s
+        self.samples = [one for one in self.samples if one.t_s < to_s - 1e-9]
+        self.cues = [one for one in self.cues if one.at_s < to_s]
+        self.key_states = [one for one in self.key_states if one.at_s < to_s]
+        if self.path is None or self.trouble:
+            return
+        try:
+            self.path.unlink(missing_ok=True)
+            for sample in self.samples:
+                self._write(self.path, sample)
         except OSError as error:
             self.trouble = f"{self.path}: {error.strerror}"
 

@@ -217,7 +217,7 @@ class Screen:
             str(words["holding"]).format(name=in_words(look.held, session.language))
             if look.held
             else "",
-            str(words["speed"]).format(percent=round(100.0 * self._hand.state.speed)),
+            self._step(),
             str(words["shown"]).format(seconds=in_words(round(shown_s, 1), session.language)),
             told,
         )
@@ -226,9 +226,22 @@ class Screen:
         doing = wrapped("   ".join(filter(None, state)), columns(), before=" ")
         return [[one] for one in (*lines, *((STATE, line) for line in doing))]
 
+    def _step(self) -> str:
+        """Return how large a step is now."""
+        now = self._hand.state
+        told = (
+            in_words(round(one, 1), self._session.language) for one in (now.step_mm, now.step_deg)
+        )
+        mm, deg = told
+        return str(self._words["size"]).format(mm=mm, deg=deg)
+
     def _warning(self, *, dragging: bool) -> Lines:
         state, words = self._hand.state, self._words
         warning = str(words["dragging"]) if dragging else ""
+        if state.gave_way_mm:
+            warning = str(words["gave_way"])
+        if state.returning:
+            warning = str(words["returning"])
         if state.clutched:
             warning = str(words["clutched"])
         if state.blocked is not None:

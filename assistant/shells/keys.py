@@ -44,6 +44,8 @@ ARROWS = {
 NAMED = {"space": " "}
 WHEEL = {MouseEventType.SCROLL_UP: "r", MouseEventType.SCROLL_DOWN: "f"}
 PERIOD_S, REFRESH_S = 0.02, 0.1
+PREPARING = ("h", "u", "+", "-", "space")
+"""Keys that show nothing yet: who takes the hand to a good posture first begins after that."""
 
 
 class Due:
@@ -54,6 +56,8 @@ class Due:
 
     def __call__(self, sample: HandSample) -> bool:
         """Whether this sample is to be recorded."""
+        # What was taken back is shown anew.
+        self._next_s = min(self._next_s, sample.t_s + self._every_s)
         if not sample.said and sample.t_s < self._next_s - PERIOD_S / 2:
             return False
         self._next_s = sample.t_s + self._every_s
@@ -76,6 +80,9 @@ class Begun:
 
     def __call__(self, sample: HandSample) -> HandSample | None:
         """Return a sample on the demonstration's clock; None before it begins."""
+        if self._since_s is not None and sample.t_s < self._since_s:
+            # Everything was taken back.
+            self._since_s, self._begins = None, False
         if self._since_s is None and not (self._begins or sample.said):
             return None
         self._since_s = sample.t_s if self._since_s is None else self._since_s
@@ -161,13 +168,22 @@ class Driving:
             while self._session.watching is not None and not self._session.left:
                 began_s = time.monotonic()
                 with self._lock:
-                    sample = self._begun(self._hand.tick())
-                    if sample is not None and self._due(sample):
-                        self._session.see(sample)
+                    self._see(self._hand.tick())
                 await asyncio.sleep(max(PERIOD_S - (time.monotonic() - began_s), 0.0))
         except Exception as error:
             self._error = error
         self._app.exit()
+
+    def _see(self, sample: HandSample) -> None:
+        """Record a sample; while the hand takes something back nothing is recorded."""
+        if self._hand.state.returning:
+            self._hand.say(sample.said) if sample.said else None
+            return
+        watching, shown = self._session.watching, self._begun(sample)
+        if watching is not None and (shown is None or shown.t_s <= watching.shown_s):
+            watching.take_back(0.0 if shown is None else shown.t_s)
+        if shown is not None and self._due(shown):
+            self._session.see(shown)
 
     def _layout(self) -> Layout:
         typing = Condition(lambda: self._typing)
@@ -205,7 +221,8 @@ class Driving:
         key = key if key in NAMED else key.lower()
         name = next((name for name, each in NAMED.items() if each == key), key)
         if self._hand.press(key_for(NAMED.get(key, key), facing=self._screen.facing)):
-            self._begun.begin()
+            if name not in PREPARING:
+                self._begun.begin()
             self._told = self._done(name)
         else:
             shown = key if key.isprintable() else "?"

@@ -26,7 +26,7 @@ TURNS: Mapping[str, tuple[float, float, float]] = {
 }
 ABREAST = 1e-4
 """A place less far off than this, in m or rad, is reached."""
-OPEN, CLOSE, FASTER, SLOWER, CLUTCH = "o", "c", "+", "-", " "
+OPEN, CLOSE, LARGER, FINER, CLUTCH, POSTURE, BACK = "o", "c", "+", "-", " ", "h", "u"
 
 
 def directions(keys: Iterable[str]) -> tuple[Array, Array]:

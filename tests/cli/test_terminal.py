@@ -111,7 +111,7 @@ def test_the_mouse_drags_the_hand_while_its_button_is_held(tmp_path: Path) -> No
     teacher.take_the_hand()
     # Where the pictures are is known once the terminal's answer has come, and so with what follows.
     teacher.press("+")
-    terminal.expect("faster.*faster")
+    terminal.expect("larger.*larger")
     # What is shown is recorded from the first key on.
     begin = teacher.rest()
     # The pictures lie side by side below the keys; this is within the left one, from above.

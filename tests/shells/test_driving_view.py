@@ -156,7 +156,7 @@ def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
     told = in_the_way(refusal, WORDS, "english")
     assert told == "I do not go: at the next step joint 5 would pass its limit."
     wound = in_the_way(Refusal("joint_limit", "next step", "joint 4"), WORDS, "english")
-    assert "another order" in wound
+    assert "h unwinds" in wound
     low = Refusal("collision", "next step", "table")
     assert "tilt it down (g)" in in_the_way(low, WORDS, "english")
     assert "tilt" not in in_the_way(low, WORDS, "english", "block")

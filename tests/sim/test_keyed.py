@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from assistant.geometry import compose, quat_to_rotvec
+from assistant.geometry import compose, quat_to_rotvec, rotate_vector
 from assistant.model.motion import Refusal
+from assistant.ports import HandSample
 from sim import a465
 from sim.hands import KeyedHand
 from sim.kinematic_arm import KinematicArm
-from sim.kinematics import forward, inverse_all, limit_margin
+from sim.kinematics import forward, limit_margin
 from sim.planner import A465Planner
 from tests.sim.placing import lesson
 
@@ -37,8 +38,8 @@ def test_a_held_key_moves_the_hand_its_way_and_letting_go_stops_it(hand: KeyedHa
     poses = held(hand, "w", 30)
     assert poses[-1][0] > poses[0][0] + 0.04
     assert np.max(np.abs(poses[-1][1:3] - poses[0][1:3])) < 1e-4
-    hand.release("w")
-    for _ in range(13):
+    hand.release()
+    for _ in range(15):
         hand.tick()
     rest = hand.tick().pose
     assert np.array_equal(hand.tick().pose, rest)
@@ -65,27 +66,19 @@ def test_the_gripper_closes_and_opens_and_is_recorded(hand: KeyedHand) -> None:
     assert [hand.tick().gripper_m for _ in range(80)][-1] == pytest.approx(0.08)
 
 
-def test_a_blocked_way_is_not_gone_and_is_named(hand: KeyedHand) -> None:
-    for _ in range(8):
-        hand.press("+")
+def test_a_blocked_way_is_gone_as_far_as_it_is_free_and_named(hand: KeyedHand) -> None:
     for _ in range(400):
         hand.press("f")
-        pose = hand.tick().pose
+        hand.tick()
         if hand.state.blocked:
             break
     assert isinstance(hand.state.blocked, Refusal)
-    assert hand.state.blocked.what == "joint 3"
+    assert (hand.state.blocked.reason, hand.state.blocked.what) == ("collision", "table")
+    assert hand.state.touching == "arm"
+    for _ in range(30):
+        pose = hand.tick().pose
+    assert pose[2] < 0.32
     assert np.array_equal(hand.tick().pose, pose)
-
-
-def test_a_blocked_way_is_gone_as_far_as_it_is_free(hand: KeyedHand) -> None:
-    poses = held(hand, "f", 300)
-    assert isinstance(hand.state.blocked, Refusal)
-    last = poses[-1]
-    assert np.max(np.abs(last[:2] - poses[0][:2])) < 1e-4
-    # Joint 3 has less than half a degree left.
-    lower = compose(last, np.array([0.0, 0.0, -0.003, 0.0, 0.0, 0.0, 1.0]))
-    assert np.all(limit_margin(inverse_all(lower[None])[0, [0, 1]]) < 0.0)
 
 
 def test_words_go_with_the_next_sample_and_finish_ends_it(hand: KeyedHand) -> None:
@@ -125,15 +118,17 @@ def test_every_way_out_of_the_start_is_gone_at_once_at_full_speed(
     poses = held(hand, key, 30)
     far = [float(np.linalg.norm(pose[:3] - poses[0][:3])) for pose in poses]
     assert far[10] > 0.010
-    assert np.max(np.diff(far)) == pytest.approx(0.10 * 0.02, rel=1e-3)
+    assert 0.10 * 0.02 < np.max(np.diff(far)) <= 0.2 * 0.02 + 1e-6
 
 
 @pytest.mark.parametrize("key", "qetgzx")
 def test_the_hand_turns_about_its_fingers(hand: KeyedHand, key: str) -> None:
-    poses = np.array(held(hand, key, 50))
+    held(hand, key, 12)
+    poses = np.array([hand.tick().pose for _ in range(30)])
     tips = compose(poses, np.array([a465.TCP_M, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]))
-    assert np.max(np.abs(tips[:, :3] - tips[0, :3])) < 1e-4
-    assert np.linalg.norm(quat_to_rotvec(poses[-1][3:])) > np.deg2rad(20.0)
+    assert np.max(np.abs(tips[:, :3] - [0.5405, 0.0, 0.635])) < 1e-4
+    turned = float(np.linalg.norm(quat_to_rotvec(poses[-1][3:])))
+    assert turned == pytest.approx(np.deg2rad(24.0), abs=0.03)
 
 
 def driven(hand: KeyedHand, arm: KinematicArm, keys: str, ticks: int) -> np.ndarray:
@@ -190,14 +185,73 @@ def test_a_hand_that_is_led_goes_there_and_letting_go_halts_it(hand: KeyedHand) 
     assert np.array_equal([hand.tick().pose for _ in range(9)][-1], pose)
 
 
-def test_what_is_no_longer_wanted_is_braked_within_a_quarter_second(hand: KeyedHand) -> None:
-    held(hand, "a", 25)
-    before = held(hand, "r", 6)[-1]
-    for _ in range(12):
-        after = held(hand, "r", 1)[-1]
-    later = held(hand, "r", 1)[-1]
-    assert later[1] == pytest.approx(after[1], abs=1e-5)
-    assert after[2] > before[2] + 0.01
+@pytest.mark.parametrize("count", [2, 9, 30])
+@pytest.mark.parametrize("gap_ticks", [0, 1, 3, 8])
+def test_as_many_taps_are_as_many_steps_however_fast(
+    hand: KeyedHand, count: int, gap_ticks: int
+) -> None:
+    begin = hand.tick().pose
+    for _ in range(count):
+        hand.press("a")
+        for _ in range(gap_ticks):
+            hand.tick()
+    for _ in range(120):
+        pose = hand.tick().pose
+    if gap_ticks == 1 and count > 12:
+        # A key that is held so is repeated faster than the hand goes.
+        assert 0.06 < pose[1] - begin[1] <= count * 0.005 + 1e-6
+    else:
+        assert pose[1] - begin[1] == pytest.approx(count * 0.005, abs=1e-5)
+
+
+def test_a_held_key_that_is_let_go_stops_within_a_third_of_a_second(hand: KeyedHand) -> None:
+    # Terminals repeat keys about 30 times a second.
+    for _ in range(25):
+        hand.press("a")
+        hand.tick()
+        pose = [hand.tick().pose for _ in range(1)][-1]
+    later = [hand.tick().pose for _ in range(17)]
+    assert later[-1][1] - pose[1] < 0.035
+    assert np.array_equal(later[-1], hand.tick().pose)
+
+
+def test_steps_are_chosen_and_told_and_near_the_table_they_are_fine(hand: KeyedHand) -> None:
+    assert (hand.state.step_mm, hand.state.step_deg) == pytest.approx((5.0, 2.0))
+    for key, size in (("-", 2.0), ("-", 1.0), ("-", 1.0), ("+", 2.0), ("+", 5.0), ("+", 10.0)):
+        hand.press(key)
+        assert hand.state.step_mm == pytest.approx(size)
+    before = hand.tick().pose
+    hand.press("r")
+    pose = [hand.tick().pose for _ in range(50)][-1]
+    assert pose[2] - before[2] == pytest.approx(0.010, abs=1e-6)
+
+
+def settled(hand: KeyedHand, key: str, count: int = 1, ticks: int = 150) -> HandSample:
+    for _ in range(count):
+        hand.press(key)
+    return [hand.tick() for _ in range(ticks)][-1]
+
+
+def test_the_last_moves_are_taken_back_with_their_time(hand: KeyedHand) -> None:
+    shown = [hand.tick(), settled(hand, "a", 6), settled(hand, "w", 4), settled(hand, "c")]
+    assert shown[-1].gripper_m == 0.0
+    for begin in reversed(shown[:-1]):
+        hand.press("u")
+        back = [hand.tick() for _ in range(150)]
+        assert back[-1].pose == pytest.approx(begin.pose, abs=1e-6)
+        assert min(one.t_s for one in back) <= begin.t_s + 0.021
+        assert back[-1].gripper_m == pytest.approx(0.08)
+        assert not hand.state.returning
+    rest = settled(hand, "u").pose
+    assert rest == pytest.approx(shown[0].pose, abs=1e-6)
+
+
+def test_the_hand_is_pointed_down_above_where_it_is(hand: KeyedHand) -> None:
+    begin = compose(hand.tick().pose, hand.tip)
+    tip = compose(settled(hand, "h", ticks=300).pose, hand.tip)
+    assert hand.state.blocked is None
+    assert rotate_vector(tip[3:], np.array([1.0, 0.0, 0.0])) == pytest.approx([0, 0, -1], abs=1e-6)
+    assert np.linalg.norm(tip[:3] - begin[:3]) < 0.3
 
 
 def test_led_beyond_what_is_free_the_hand_goes_as_far_as_it_can_and_says_so(
