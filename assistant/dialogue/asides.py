@@ -26,6 +26,7 @@ from assistant.dialogue.plan_words import (
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.several import told_several
 from assistant.dialogue.shown_wrongly import shown_wrongly
+from assistant.dialogue.sizes import told_size
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
 from assistant.dialogue.state import (
@@ -213,6 +214,7 @@ _REPLIES = (
     shown_again,
     shown_wrongly,
     order_freed,
+    told_size,
     told_several,
     slip,
     no_thing,

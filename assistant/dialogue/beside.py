@@ -13,6 +13,7 @@ from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.effects import Arrange
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.placing import placed, pointed_at
+from assistant.dialogue.spots import offered
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready
 from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, then
 from assistant.geometry import pose_to_mm_deg
@@ -72,8 +73,7 @@ def _stood(dialogue: Dialogue, found: Relation, words: Words) -> Turn:
     known = dialogue.known
     base = known.setup.places.get(_base(found))
     if base is None or found.thing not in known.scene.bodies:
-        missing = _base(found)
-        return tell(dialogue, line("error", "no_place", thing=missing))
+        return _nowhere(dialogue, found)
     if known.facing is None and found.side in SIDES:
         question = line("ask", "facing", asked="facing")
         return ask(replace(dialogue, pending=Pending("facing", question, (), words.text)))
@@ -88,6 +88,15 @@ def _stood(dialogue: Dialogue, found: Relation, words: Words) -> Turn:
     far = {"beside_mm": distance_mm, "side": found.side, "other": found.other}
     nearer = {"nearer_mm": distance_mm, "nearer": found.side}
     return placed(dialogue, found.thing, place, **(far if found.other else nearer))
+
+
+def _nowhere(dialogue: Dialogue, found: Relation) -> Turn:
+    """Tell that a thing cannot be put beside one that is nowhere yet; offer a place for it."""
+    missing, first_places = _base(found), isinstance(dialogue.state, Introducing)
+    spot = offered(dialogue, found.thing) if first_places else None
+    if spot is None:
+        return tell(dialogue, line("error", "no_place", thing=missing))
+    return first(say(dialogue, line("told", "nowhere_yet", thing=missing))[1], spot)
 
 
 def _place(known: Knowledge, found: Relation) -> tuple[Place, float]:

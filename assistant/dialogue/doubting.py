@@ -14,6 +14,7 @@ from assistant.dialogue.helping import help_line
 from assistant.dialogue.naming import as_said, begins_or_ends_with_verb, is_odd, steps_in, tidy
 from assistant.dialogue.placing import thing_meant
 from assistant.dialogue.sketch import names
+from assistant.dialogue.spots import SPOT, offered
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
 from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, first, line, say
@@ -24,7 +25,7 @@ from assistant.model.teacher_acts import act_to_json
 MOST_GUESSES = 2
 """Guesses read back one after the other before the robot tells what can be said."""
 TOPIC = "did_you_mean"
-GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown", "stands_elsewhere")
+GUESSES = (TOPIC, "take_words", "listed_steps", "place_shown", SPOT, "stands_elsewhere")
 """Questions whether the robot's guess is what was meant; who says something else answers it."""
 IN_ANY_WORDS = ("task_name", "goal", "objects", "subtask_name", "actions")
 """Questions whose answer may be any words."""
@@ -205,12 +206,15 @@ def _steps_listed(dialogue: Dialogue, words: Words) -> Turn | None:
 
 
 def _place_shown(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> Turn | None:
-    """Offer to see from the demonstration where a thing is, to who does not tell a place."""
+    """Offer a place, or to see it from the demonstration, to who does not tell one."""
     state, pending = dialogue.state, dialogue.pending
     if not isinstance(state, Introducing) or state.asked != "pose" or pending is not None:
         return None
     if not all(isinstance(act, _NO_PLACE) for act in meant):
         return None
+    spot = offered(replace(dialogue, misses=dialogue.misses + 1), state.thing)
+    if spot is not None:
+        return spot
     question = line("confirm", "place_shown", asked="did_you_mean", thing=state.thing)
     return _asked_between(dialogue, Pending("did_you_mean", question, (acts.Deny(),)))
 

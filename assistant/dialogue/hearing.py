@@ -37,6 +37,7 @@ from assistant.dialogue.recounting import show
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
 from assistant.dialogue.slips import BEGIN_ANEW
+from assistant.dialogue.spots import SPOT
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -250,6 +251,9 @@ def _denied(dialogue: Dialogue, pending: Pending) -> Turn:
     if pending.line.topic == SHOW_AGAIN:
         # What is not shown anew cannot be done anew.
         return undo(free)
+    if pending.line.topic == SPOT:
+        # No to a place that was offered leaves it to the showing.
+        return in_state(free, acts.Deny(), Words(""))
     if is_guess(pending) and pending.other:
         return guessed_other(dialogue)
     if is_guess(pending):

@@ -21,6 +21,7 @@ from assistant.dialogue.keeping import (
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import tidy_name
 from assistant.dialogue.practicing import UNTIL, new_setup
+from assistant.dialogue.spots import anywhere
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running, Watching
 from assistant.dialogue.taking_back import numbered
 from assistant.dialogue.turn import Turn, Words, line, say, then
@@ -48,7 +49,7 @@ def requested(dialogue: Dialogue, words: Words) -> Turn | None:
         if turn is not None:
             return turn
     if not isinstance(dialogue.state, Ready | Running | Ran):
-        return numbered(calm, words) or told_beside(calm, words)
+        return numbered(calm, words) or told_beside(calm, words) or anywhere(calm, words)
     calm = without_guess(calm)
     for reply in _AT_REST:
         turn = reply(calm, words)

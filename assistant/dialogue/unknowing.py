@@ -11,6 +11,7 @@ from assistant.dialogue.naming import alike
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.reviewing import next_question
 from assistant.dialogue.sketch import at, names, with_parts
+from assistant.dialogue.spots import offered
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Reviewing
 from assistant.dialogue.things import thing_names
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
@@ -64,6 +65,10 @@ def unknown_to(dialogue: Dialogue, words: Words) -> Turn:
         return _all_shown(free)
     if state.asked == "objects" and not state.index:
         return _all_things(free, words)
+    if state.asked == "pose" and not mentions(words.text, hints("shown_later", dialogue.language)):
+        spot = offered(free, state.thing)
+        if spot is not None:
+            return spot
     return in_state(free, acts.Deny(), words)
 
 

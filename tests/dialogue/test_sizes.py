@@ -1,0 +1,48 @@
+"""A size is a size, whatever was asked, and things may be told with theirs."""
+
+from __future__ import annotations
+
+import pytest
+
+from assistant.dialogue.sizes import tells_size, without_sizes
+from assistant.language.speech import phrase
+from assistant.model import teacher_acts as acts
+from tests.dialogue.teaching import Lessons
+
+FIRST = "a small tea box 4 cm, put it on a book thats on the table to the right of it"
+
+
+def test_a_size_is_no_goal() -> None:
+    teacher = Lessons().open().tell("little jar on a coaster")
+    teacher.hear(acts.Unknown(), text="the jar is 6 cm tall, 5 wide")
+    assert teacher.topics == ["told.size", "ask.goal"]
+    assert "5 by 5 centimetres wide and 6 high" in phrase(teacher.lines[0])
+    assert teacher.dialogue.known.goal is None
+
+
+def test_things_are_told_with_their_sizes() -> None:
+    teacher = Lessons().open().tell("tea box").tell("the tea box is on the book")
+    teacher.hear(acts.Unknown(), text=FIRST)
+    known = teacher.dialogue.known
+    assert [one.name for one in known.objects or ()] == ["small tea box", "book"]
+    assert known.scene.bodies["small tea box"].size_mm == (40.0, 40.0, 40.0)
+    assert "book" not in known.scene.bodies
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "15 cm to the right of the jar",
+        "move it 10 cm higher",
+        "the jar stands on the coaster",
+        "it has three parts",
+        "5 mm away from the edge",
+    ],
+)
+def test_a_place_a_way_and_a_number_are_no_size(text: str) -> None:
+    assert not tells_size(text, "english")
+
+
+def test_a_sentence_is_read_without_its_sizes() -> None:
+    assert without_sizes("a jar, 6 cm tall, 5 wide", "english").startswith("a jar")
+    assert not any(sign.isdigit() for sign in without_sizes("a box 30 x 20 x 1 cm", "english"))
