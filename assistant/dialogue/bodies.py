@@ -111,4 +111,7 @@ def _height_mm(tall_mm: float) -> float:
 
 
 def _held(body: Body, height_mm: float, mass_kg: float) -> Body:
+    if any(body.grasp_rpy_deg):
+        # It was shown how it is taken from above.
+        return replace(body, mass_kg=mass_kg)
     return replace(body, grasp_xyz_mm=(AHEAD_MM, 0.0, height_mm), mass_kg=mass_kg)

@@ -6,9 +6,10 @@ from dataclasses import replace
 from typing import Any
 
 from assistant.dialogue.asking import UNSURE, ask, index_of, introduced, tell
-from assistant.dialogue.bodies import WIDEST_MM, standing, too_wide
+from assistant.dialogue.bodies import WIDEST_MM, too_wide
 from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
+from assistant.dialogue.gripped import met
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
@@ -76,12 +77,10 @@ def carried_over(old: Lesson | None, new: Lesson) -> Lesson:
 
 def with_lesson(known: Knowledge, lesson: Lesson) -> Knowledge:
     """Return what is known after learning; things nobody placed are where the hand met them."""
-    places = dict(known.setup.places)
     for station in lesson.stations:
-        if station.frame not in places and station.frame:
-            places[station.frame] = standing(known, station.frame, station.frame_to_world)
-    setup = replace(known.setup, places=places)
-    return replace(known, lesson=lesson, learned_root=known.root, reviewed=False, setup=setup)
+        if station.frame not in known.setup.places and station.frame:
+            known = met(known, station.frame, station.frame_to_world)
+    return replace(known, lesson=lesson, learned_root=known.root, reviewed=False)
 
 
 def read_back(known: Knowledge) -> RobotAct:
