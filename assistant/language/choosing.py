@@ -29,17 +29,21 @@ from assistant.language.trusting import (
     FREE_ANSWERS,
     chatting,
     consenting,
+    is_name,
     names_step,
     strange,
     swapped,
     trusted_from,
+    wondering,
 )
 from assistant.language.weighing import praised
-from assistant.language.words import Words, said
+from assistant.language.wholes import by_parts
+from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     Affirm,
     Approve,
     Deny,
+    Explain,
     Inform,
     Stop,
     TeacherAct,
@@ -54,8 +58,6 @@ PLAIN_FROM = 0.5
 _BESIDE_ANSWERS = (*ASIDE, Inform, Unknown)
 _DOUBTED = 0.65
 """Where the grammar is surer that words mean nothing here, they are no answer."""
-_SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
-_JOINED_NAME = 5
 _UNKNOWN, _CHATTED_FROM = "unknown", 0.8
 """How likely words mean nothing here where those of other matters are listened to no more."""
 _MOST_WHOLE = 6
@@ -110,7 +112,7 @@ def chosen(
     known = weights(hearing.language)
     if known is None or not chances or Stop() in weighed.acts or plain(weighed, chances):
         return None
-    if _is_name(weighed, words, hearing) and chance(weighed.acts, chances) >= PLAIN_FROM:
+    if is_name(weighed, words, hearing) and chance(weighed.acts, chances) >= PLAIN_FROM:
         return None
     pool = candidates(first, weighed, words, chances, hearing)
     ranked = ranking(pool, known.choice)
@@ -158,6 +160,8 @@ def _kept_from(
     """
     if praised(weighed.acts, acts, words, hearing) or swapped(acts, weighed, words, hearing):
         return True
+    if isinstance(weighed.acts[0], Explain) and wondering(words, hearing):
+        return kind_of(acts) in ("named", "motion")
     if weighed.exact and shortened(acts, weighed.acts, hearing):
         return True
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Inform):
@@ -180,15 +184,6 @@ def _told_whole(words: Words, hearing: Hearing) -> bool:
     asked, numbers = hearing.listening.asked, hearing.book.numbers
     measured = asked == "body" and any(numbers.number((word.text,), 0) for word in words)
     return asked == "facing" or measured
-
-
-def _is_name(weighed: Parse, words: Words, hearing: Hearing) -> bool:
-    """Tell few words that are all of them the name asked for: "press fit and glue"."""
-    most = _SHORT_NAMES.get(hearing.listening.asked or "", 0)
-    if most and any(word.text in hearing.book.little["and"] for word in words[1:-1]):
-        most = _JOINED_NAME
-    sure = len(words) <= most and weighed.score >= ACTING
-    return sure and weighed.acts == (Inform(said(words)),)
 
 
 def plain(weighed: Parse, chances: Chances) -> bool:
@@ -246,7 +241,7 @@ def candidates(
 
     def add(acts: tuple[TeacherAct, ...], looks: Looks) -> None:
         acts = uncontradicted(unbent(acts, words, hearing), words, hearing)
-        acts = with_answer(acts, words, hearing)
+        acts = by_parts(with_answer(acts, words, hearing), words, hearing)
         one = pool.setdefault(key_of(acts), Candidate(acts))
         one.looks = {**looks, **one.looks}
 

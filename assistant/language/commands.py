@@ -111,7 +111,7 @@ def command(words: Words, hearing: Hearing) -> Parse | None:
     if whole is not None and len(whole.acts) > 1 and whole.score >= LIKELY:
         parted = compound(words, hearing) if any(word.broken for word in words[1:]) else None
         whole = parted if parted is not None and len(parted.acts) >= len(whole.acts) else whole
-    if whole is not None and whole.how == "motion" and len(whole.acts) == 1:
+    if whole is not None and whole.how in ("motion", "frame") and len(whole.acts) == 1:
         whole = _with_more(whole, words, hearing)
     if whole is not None and whole.score >= LIKELY:
         return settled(whole, hearing.listening)

@@ -12,6 +12,9 @@ from collections.abc import Iterator
 from assistant.language.frames import Frames, Span
 from assistant.language.words import Words
 
+_LONGEST_TAKEN = 3
+"""Words of a verb and what it takes before its particle: "put the pot | down"."""
+
 
 def widened(run: Span, words: Words, used: set[int], known: Frames) -> Span:
     """Return a stretch with the little words at its ends that belong to the name."""
@@ -48,11 +51,16 @@ def is_particle(at: int, start: int, words: Words, known: Frames) -> bool:
 
 
 def is_cut_short(start: int, end: int, words: Words, known: Frames) -> bool:
-    """Tell "pick it" where "up" follows: a verb and a pronoun are no name without it."""
+    """Tell "pick it" and "put pot" where "up" and "down" follow: they belong to the name."""
     if not start or end - start < 2 or end >= len(words) or words[end].broken:
         return False
-    pronoun = words[end - 1].text in known.small("taken")
-    return pronoun and words[end].text in known.small("particles") and _ends(end, words, known)
+    if words[end].text not in known.small("particles") or not _ends(end, words, known):
+        return False
+    if words[end - 1].text in known.small("taken"):
+        return True
+    taking = words[start].text in known.small("taking") and end - start <= _LONGEST_TAKEN
+    before = {word.text for word in words[:start]}
+    return taking and not any(f"{one} {words[end].text}" in known.small("parted") for one in before)
 
 
 def _ends(at: int, words: Words, known: Frames) -> bool:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+from assistant.language.clauses import clause
 from assistant.language.commands import YES_OR_NO
-from assistant.language.parsing import LIKELY, SURE, Hearing, Parse, texts_of
+from assistant.language.parsing import GUESSED, LIKELY, SURE, Hearing, Parse, texts_of
 from assistant.language.tags import OPPOSITE
 from assistant.language.words import Words
-from assistant.model.teacher_acts import Affirm, Deny, Rotate, TeacherAct, Translate
+from assistant.model.teacher_acts import Affirm, Approve, Deny, Rotate, TeacherAct, Translate
 
 _AWAY = frozenset(("left", "right", "up", "down"))
 """Ways that are no word for beginning, as "forward" is."""
@@ -30,6 +31,29 @@ def last_answer(words: Words, hearing: Hearing) -> Parse | None:
     if texts[-1] not in told:
         return None
     return Parse((Affirm() if texts[-1] in book.yes else Deny(),), LIKELY)
+
+
+def assured(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the yes of "no no, the plan is right": the no only waves a doubt away."""
+    book, size = hearing.book, 0
+    while size < len(words) and words[size].text in book.no:
+        size += 1
+    if hearing.listening.asked not in _DOUBTED or not 0 < size < len(words) - 1:
+        return None
+    rest = texts_of(words[size:])
+    picked = any(book.numbers.ordinal(rest, at) for at in range(len(rest)))
+    if picked or not words[size].broken:
+        return None
+    found = clause(words[size:], hearing)
+    good = found is not None and found.acts in ((Approve(),), (Affirm(),))
+    return (
+        Parse((Affirm(),), GUESSED, "plain") if found and good and found.score >= _HEARD else None
+    )
+
+
+_HEARD = 0.7
+_DOUBTED = frozenset(("confirm_tree", "confirm_segmentation", "satisfied"))
+"""Questions whether something is right, not whether something is to be done."""
 
 
 def uncontradicted(

@@ -20,6 +20,7 @@ from assistant.language.parsing import Hearing, texts_of
 from assistant.language.placed import posed
 from assistant.language.repair import respelled
 from assistant.language.runs import named_text
+from assistant.language.step_places import unfinished
 from assistant.language.tagging import TAKES, Tagged, chain, seconded, tagging, unparted
 from assistant.language.traits import NO_TRAITS, word_traits
 from assistant.language.words import OWNER, Words, said, told
@@ -38,6 +39,7 @@ _CLOSED = {
     "rotate": "direction",
     "move_cut": "direction",
 }
+_LONGEST_NUMBER = 6
 _OWN = frozenset(("new", "name", "value", "object"))
 _LISTS = frozenset(("subtasks",))
 
@@ -121,6 +123,7 @@ def made(
     for slot, start, end in spans:
         if slot.startswith("where_"):
             when = cast("Any", slot.removeprefix("where_"))
+            end = start + len(unfinished(words[start:end], hearing.book))
             slots["where"] = Where(_name(words, (start, end), hearing), when)
         elif slot in _LISTS:
             slots[slot] = (*slots.get(slot, ()), _name(words, (start, end), hearing))
@@ -179,10 +182,23 @@ _Slots = dict[str, Any]
 _Span = tuple[int, int] | None
 
 
+def _number_start(at: int, spelled: Words, hearing: Hearing) -> int:
+    """Return where the number begins that a place is within: the "one" of "one point five"."""
+    numbers, texts = hearing.book.numbers, texts_of(spelled)
+    for start in range(max(0, at - _LONGEST_NUMBER), at):
+        if any(word.broken for word in spelled[start + 1 : at + 1]):
+            continue
+        found = numbers.number(texts, start)
+        if found is not None and found[1] > at:
+            return start
+    return at
+
+
 def _value(span: _Span, spelled: Words, hearing: Hearing) -> tuple[float, str] | None:
     if span is None:
         return None
-    numbers, texts = hearing.book.numbers, texts_of(spelled[span[0] : span[1]])
+    numbers = hearing.book.numbers
+    texts = texts_of(spelled[_number_start(span[0], spelled, hearing) : span[1]])
     quantity = numbers.quantity(texts, 0)
     if quantity is not None:
         return quantity.value, quantity.kind

@@ -26,6 +26,7 @@ from assistant.language.step_places import (
     only_begun,
     place_in,
     trust_in,
+    unfinished,
     verb_in,
     without_noun,
 )
@@ -142,7 +143,7 @@ def _joined(
     told: Words, place: Words, phrase: Phrase, when: When, hearing: Hearing
 ) -> Parse | None:
     named = place_in(place, hearing)
-    subject = without_noun(named, hearing.book)
+    subject = without_noun(unfinished(named, hearing.book), hearing.book)
     if not subject or len(subject) > LONGEST_NAME:
         return None
     if not told or told[-1].text in hearing.book.little["left_hanging"]:

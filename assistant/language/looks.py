@@ -17,6 +17,8 @@ from assistant.model.teacher_acts import TeacherAct, act_to_json
 
 Looks = dict[str, float]
 _LEAST = 1e-4
+_SURELY = 0.7
+"""How likely both clauses of a line are at least where they are surely two."""
 _NAMES = (
     *("subtask", "name", "old", "new", "first", "second", "subtasks", "before", "after"),
     "object",
@@ -63,6 +65,7 @@ def look_at(
     """Add to readings how they stand beside each other, and what each is made of."""
     grammar = _labels(weighed.acts)
     best = max(chances, key=chances.__getitem__, default="")
+    _look_at_cuts(pool)
     for one in pool:
         one.looks |= _beside(one, grammar, best, chances)
         one.looks |= _names(one, words, hearing)
@@ -81,6 +84,21 @@ def look_at(
         for look in _BY_KIND:
             if one.looks.get(look):
                 one.looks[f"{kind}_{look}"] = one.looks[look]
+
+
+def _look_at_cuts(pool: Sequence[Candidate]) -> None:
+    """Add which readings are only a part of what a line cut in clauses tells."""
+    whole = [one for one in pool if len(one.acts) == 1]
+    for cut in pool:
+        if "cut" not in cut.looks or len(cut.acts) < 2:
+            continue
+        likely = math.exp(cut.looks["cut_least"])
+        cut.looks["cut_both"] = float(likely > _SURELY)
+        for one in whole:
+            if one.acts[0] in cut.acts:
+                one.looks["within"] = max(likely, one.looks.get("within", 0.0))
+                if one.looks.keys() & {"weighed", "whole_top"}:
+                    cut.looks["holds"] = likely
 
 
 def _likely(looks: Looks) -> Looks:

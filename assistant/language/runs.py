@@ -155,7 +155,9 @@ def named_text(words: Words, run: Span, hearing: Hearing) -> str:
     numbers = hearing.book.numbers
     known = frames(hearing.language)
     steps = known.little["steps"] if known else frozenset()
-    if end - start == 1 and numbers.ordinal(texts_of(words), start) and words[end:]:
+    ranked = words[start].text in hearing.book.little["last_ones"]
+    ranked = ranked or bool(numbers.ordinal(texts_of(words), start))
+    if end - start == 1 and ranked and words[end:]:
         end += words[end].text in steps
     if end - start == 1 and numbers.number(texts_of(words), start) and start:
         start -= words[start - 1].text in steps

@@ -132,6 +132,15 @@ def without_noun(words: Words, book: Phrasebook) -> Words:
     )
 
 
+def unfinished(words: Words, book: Phrasebook) -> Words:
+    """Take off a name of a step that it "is over" or "has finished"."""
+    little, at = book.little, len(words)
+    while at > 1 and words[at - 1].text in little["over"]:
+        at -= 1
+    told = 1 < at < len(words) and words[at - 1].text in little["key_states"]
+    return words[: at - 1] if told else words
+
+
 def place_in(words: Words, hearing: Hearing) -> Words:
     """Take the subject off "you place it", and the article off "the grasp"."""
     texts = texts_of(words)

@@ -20,7 +20,7 @@ from assistant.model.teacher_acts import TeacherAct, Where
 
 _WORDS = re.compile(r"[^\W_]+(?:'(?!s(?![^\W_]))[^\W_]+)*")
 _JOINED = re.compile(r"(?<=[^\W_])(?:[-_]|'(?!s(?![^\W_])))(?=[^\W_])")
-_JOINERS = re.compile(r"[-_\s]+|'(?=\s)")
+_JOINERS = re.compile(r"(?:[-_\s]|'(?=\s))+")
 _TOLD = frozenset(
     ("value", "text", "old", "new", "name", "object", "first", "second", "after", "before")
 ) | {"subtask", "subtasks"}
@@ -101,12 +101,19 @@ class _Line:
             unjoined = told.replace("_", "-")
             large = self.nouns_large
             return " ".join(map(self._noun, unjoined.split())) if large else unjoined
-        part = self._part(*found)
+        part = self._part(*found) + self._left_out(*found)
         loud = not any(letter.islower() for letter in self.text)
         return part.lower() if loud else self._begun(part, found[0])
 
     def _part(self, first: int, last: int) -> str:
         return " ".join(self.text[self.words[first].start() : self.words[last].end()].split())
+
+    def _left_out(self, first: int, last: int) -> str:
+        """Return the mark behind a word whose last letter is left out: "loadin'", "wi'"."""
+        begin, end = self.words[first].start(), self.words[last].end()
+        quoted = "'" in self.text[max(begin - 1, 0) : begin]
+        marked = self.text[end : end + 1] == "'" and not self.text[end + 1 : end + 2].isalnum()
+        return "'" if marked and not quoted else ""
 
     def _places(self, told: str) -> Iterator[tuple[int, int]]:
         """Yield the first and last word where a name stands whole, in no longer compound."""

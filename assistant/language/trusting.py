@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from assistant.language.frames import classes_of
-from assistant.language.parsing import Hearing, Parse, texts_of
+from assistant.language.looks import kind_of
+from assistant.language.parsing import ACTING, GUESSED, Hearing, Parse, texts_of
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, label_of
-from assistant.language.words import Words
+from assistant.language.words import Words, said
 from assistant.model.teacher_acts import (
     Explain,
     Inform,
@@ -20,6 +21,8 @@ from assistant.model.teacher_acts import (
 FREE_ANSWERS = ("goal", "facing")
 _TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.92, 0.8, 0.75, 0.4
 """What the grammar is sure of is doubted below: where another act or name costs most, the most."""
+_SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
+_JOINED_NAME = 5
 _TRIED = "again"
 """How a correction is read that is to be tried at once: each of its parts is plain."""
 
@@ -36,6 +39,15 @@ def trusted_from(weighed: Parse, hearing: Hearing) -> float:
         return _PLAINLY if free else _ANSWERING
     placed = isinstance(act, SetPose) and act.object in listening.objects
     return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
+
+
+def is_name(weighed: Parse, words: Words, hearing: Hearing) -> bool:
+    """Tell few words that are all of them the name asked for: "press fit and glue"."""
+    most = _SHORT_NAMES.get(hearing.listening.asked or "", 0)
+    if most and any(word.text in hearing.book.little["and"] for word in words[1:-1]):
+        most = _JOINED_NAME
+    sure = len(words) <= most and weighed.score >= ACTING
+    return sure and weighed.acts == (Inform(said(words)),)
 
 
 def names_step(acts: tuple[TeacherAct, ...], hearing: Hearing) -> bool:
@@ -72,6 +84,19 @@ def chatting(words: Words, hearing: Hearing) -> bool:
     """Tell talk of other matters, misspelled as well."""
     spelled = respelled(words, hearing.book, hearing.listening.objects)
     return bool({*texts_of(words), *texts_of(spelled)} & hearing.book.chat)
+
+
+def wondering(words: Words, hearing: Hearing) -> bool:
+    """Tell a question of why, which asks for no act: "why is episode 3 mapped to insert"."""
+    texts, little = texts_of(words), hearing.book.little
+    asked = len(texts) > 2 and texts[0] in little["why"] and texts[1] in little["asking"]
+    return asked and not set(texts[2:4]) & little["not"]
+
+
+def wondered(parse: Parse, words: Words, hearing: Hearing) -> Parse:
+    """Return a question of why as that, where it was read as what it asks about."""
+    named = kind_of(parse.acts) in ("named", "motion") and wondering(words, hearing)
+    return Parse((Explain(said(words)),), GUESSED, "sought") if named else parse
 
 
 def swapped(acts: tuple[TeacherAct, ...], weighed: Parse, words: Words, hearing: Hearing) -> bool:

@@ -16,7 +16,7 @@ from assistant.language.counted import counted, only_counted
 from assistant.language.cries import cried
 from assistant.language.fillers import bare_verbs, without_fillers
 from assistant.language.guessing import guess, urgent
-from assistant.language.last_word import commanded, last_answer
+from assistant.language.last_word import assured, commanded, last_answer
 from assistant.language.naming import known_name
 from assistant.language.open_answers import MOTION, answered, goalless
 from assistant.language.parsing import (
@@ -35,9 +35,12 @@ from assistant.language.plain_forms import unbent
 from assistant.language.repair import homophones, rejoined, respelled, without_slips
 from assistant.language.seeking import chances_of
 from assistant.language.sentences import best_sentence
+from assistant.language.sequels import sequenced
 from assistant.language.stopping import has_stop_word
 from assistant.language.surface import dressed, plainly
+from assistant.language.trusting import wondered
 from assistant.language.weighing import weighed
+from assistant.language.withdrawing import withdrawn
 from assistant.language.words import Words, words_of
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
@@ -86,10 +89,11 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
     if not words:
         return Reading(Parse((Unknown(),), LIKELY), words, words, {}, hearing)
     if listening.asked not in OPEN:
-        words = _once(words)
+        words = sequenced(_once(words), hearing)
     plain = consent(words, hearing) or goalless(words, hearing)
     plain = plain or counted(words, hearing) or only_counted(words, hearing)
-    plain = plain or last_answer(words, hearing)
+    plain = plain or last_answer(words, hearing) or assured(words, hearing)
+    plain = plain or withdrawn(words, hearing)
     if plain is not None:
         return Reading(_agreed(plain, heard_words, hearing), words, words, {}, hearing)
     short = best_sentence(heard_words, hearing) if 0 < len(heard_words) <= 3 else None
@@ -102,7 +106,7 @@ def read(text: str, listening: Listening, language: str = "english") -> Reading:
         return Reading(parse, words, heard, {}, hearing)
     chances = chances_of(words, heard, hearing)
     grammar = weighed(parse, heard, chances, hearing)
-    grammar = replace(grammar, acts=unbent(grammar.acts, heard, hearing))
+    grammar = wondered(replace(grammar, acts=unbent(grammar.acts, heard, hearing)), words, hearing)
     choice = chosen(parse, grammar, words, chances, hearing)
     answer = _agreed(choice or grammar, heard_words, hearing)
     return Reading(answer, words, heard, chances, hearing)

@@ -14,7 +14,7 @@ from assistant.language.little_words import LittleWords
 
 _PIECES = re.compile(
     r"[+-]?\d+(?:[.,]\d+)?(?:st|nd|rd|th)\b|(?<![\w.])[+-]?(?:\d+(?:\.\d+)?|\.\d+)(?=[^\d]|$)"
-    r"|\d+|[^\W\d_]\w*(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|w/o?\b|[,;:.!?()/=]|-"
+    r"|\d+|[^\W\d_]\w*(?:'[^\W\d_]+)*'?|[&%°\"½¼¾]|\+(?!\d)|w/o?\b|[,;:.!?()/=]|-"
 )
 _BREAKS = frozenset(",;:.!?()/=-")
 _SHARE_SIGNS = {"½": "0.5", "¼": "0.25", "¾": "0.75"}
@@ -86,7 +86,7 @@ def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
         piece = match.group()
         glued = match.start() == before_end
         before_end = match.end()
-        if piece in _BREAKS:
+        if piece in _BREAKS and not (piece in contractions and _equals(source, match)):
             joined = piece == "-" and glued and source[match.end() : match.end() + 1] != " "
             broken = broken or not (joined or piece == "'")
             continue
@@ -94,6 +94,12 @@ def words_of(text: str, contractions: Mapping[str, tuple[str, ...]]) -> Words:
             found.append(Word(word.text, word.said, broken))
             broken = False
     return _phrases(found, contractions)
+
+
+def _equals(source: str, mark: re.Match[str]) -> bool:
+    """Tell the "=" of "episode 4 = lift", which says that one is the other, from "x = 4"."""
+    counted = source[: mark.start()].rstrip()[-1:].isdigit()
+    return counted and source[mark.end() :].lstrip()[:1].isalpha()
 
 
 _SHARES = re.compile(r"(?<![\d/.,])(\d{1,2})/(\d{1,2})(?![\d/])")
@@ -135,7 +141,7 @@ def _spelled(piece: str, contractions: Mapping[str, tuple[str, ...]]) -> list[Wo
     for cut in (mark - 1, mark) if mark > 0 else ():
         if cut > 0 and piece[cut:] in contractions:
             return [Word(piece[:cut], piece), *(Word(one, "") for one in contractions[piece[cut:]])]
-    return [Word(piece, piece)] if piece else []
+    return [Word(piece, piece)] if piece and piece != "+" else []
 
 
 def _phrases(words: Sequence[Word], contractions: Mapping[str, tuple[str, ...]]) -> Words:

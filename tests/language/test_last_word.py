@@ -71,3 +71,23 @@ def test_how_a_thing_is_put_is_no_way_it_goes(text: str) -> None:
 def test_two_ways_of_which_nothing_is_told_are_both_kept() -> None:
     both = Translate("up"), Translate("down")
     assert kept("up down", *both) == both
+
+
+@pytest.mark.parametrize(
+    ("text", "asked"),
+    [
+        ("no no. the plan is right", "confirm_tree"),
+        ("no, no, it's all good", "satisfied"),
+        ("nope, perfect as it is", "satisfied"),
+    ],
+)
+def test_a_no_that_waves_a_doubt_away_is_a_yes_that_is_read_back(text: str, asked: str) -> None:
+    where = Listening(stage="practice", asked=cast("Asked", asked))
+    told = understand(text, where)
+    assert [act_to_json(act) for act in told.acts] == [{"act": "affirm"}]
+    assert told.confidence < 0.85
+
+
+@pytest.mark.parametrize("text", ["no, it is not good", "no, no, it is wrong", "no"])
+def test_a_no_to_what_is_wrong_stays_one(text: str) -> None:
+    assert acts(text, "satisfied") == [{"act": "deny"}]

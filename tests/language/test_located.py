@@ -19,6 +19,8 @@ SLOWER = {"act": "adjust_speed", "change": "slower"}
         ("in the swirl go slower", SLOWER, "swirl", "during"),
         ("slower as it swirls", SLOWER, "swirls", "during"),
         ("when you, er, during the, the dunk, um, slower", SLOWER, "dunk", "during"),
+        ("after wiping has been done, slower", SLOWER, "wiping", "after"),
+        ("once swing over is done, slower", SLOWER, "swing over", "after"),
         ("before dunk, not after, slower", SLOWER, "dunk", "before"),
     ],
 )

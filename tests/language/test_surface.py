@@ -131,3 +131,18 @@ def test_only_names_are_kept_whole(text: str, told: str) -> None:
 
 def test_a_part_of_a_compound_goes_out_whole() -> None:
     assert dressed((Save("heat"),), "save the heat-sink", PRACTICE, "en") == (Save("heat-sink"),)
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("loadin' the vise", "loadin' the vise"),
+        ("liftin'", "liftin'"),
+        ("'loading'", "loading"),
+        ("it's called 'press fit'", "press fit"),
+    ],
+)
+def test_a_letter_left_out_is_marked_and_quotes_are_not_part_of_a_name(
+    text: str, name: str
+) -> None:
+    assert acts(text, Listening(asked="task_name")) == (Inform(name),)

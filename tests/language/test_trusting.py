@@ -4,10 +4,27 @@ import pytest
 
 from assistant.language.parsing import Hearing, Parse
 from assistant.language.phrasebook import phrasebook
-from assistant.language.trusting import chatting, consenting, names_step, strange, trusted_from
+from assistant.language.trusting import (
+    chatting,
+    consenting,
+    names_step,
+    strange,
+    trusted_from,
+    wondered,
+)
 from assistant.language.words import words_of
 from assistant.model.listening import Listening
-from assistant.model.teacher_acts import Affirm, Inform, Optional, Rename, Translate, Unknown, Where
+from assistant.model.teacher_acts import (
+    Affirm,
+    Assign,
+    Explain,
+    Inform,
+    Optional,
+    Rename,
+    Translate,
+    Unknown,
+    Where,
+)
 
 
 def hearing(**where: Any) -> Hearing:
@@ -55,3 +72,13 @@ def test_talk_of_other_matters_is_known_by_its_words() -> None:
     near = hearing()
     assert chatting(words_of("my sister has the flu", near.book.contractions), near)
     assert not chatting(words_of("a bit more left", near.book.contractions), near)
+
+
+def test_a_question_of_why_asks_for_nothing_to_be_done() -> None:
+    near = hearing(stage="learning")
+    parse = Parse((Assign(3, "insert"),), 0.9)
+    words = words_of("why's episode 3 mapped to insert", near.book.contractions)
+    (act,) = wondered(parse, words, near).acts
+    assert isinstance(act, Explain)
+    other = words_of("episode 3 is mapped to insert", near.book.contractions)
+    assert wondered(parse, other, near) is parse
