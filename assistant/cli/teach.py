@@ -16,6 +16,7 @@ import os
 import sys
 from collections.abc import Callable
 from functools import partial
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from assistant.cli import DONE, FAILED
@@ -25,6 +26,7 @@ from assistant.cli.starting import as_started
 from assistant.cli.talking import make_talking, shown_and_spoken, voice_arguments
 from assistant.errors import AssistantError, BadInput
 from assistant.language.hints import page
+from assistant.model.robot_acts import RobotAct
 
 if TYPE_CHECKING:
     from assistant.model.transcript import Transcript
@@ -119,20 +121,30 @@ def _opened(
     from assistant.cli.adapters import make_equipment
     from assistant.files.home import home
     from assistant.session.opening import Opening, open_session, resume_session
-    from assistant.session.past import newest_session
+    from assistant.session.past import newer_sessions, newest_session
 
     equipment = partial(make_equipment, window=args.window)
     opening = Opening(equipment, home(), out, made)
     if args.resume is None:
         return open_session(opening, _header(args))
     name = newest_session(opening.sessions) if args.resume == NEWEST else args.resume
+    damaged = newer_sessions(opening.sessions, name) if args.resume == NEWEST else ()
     try:
-        return resume_session(opening, name)
+        session = resume_session(opening, name)
     except (KeyError, TypeError, ValueError, OSError) as error:
         # Files beside the journal were changed by hand or are gone.
         where = str(opening.sessions / name)
         what = f"the session cannot be read back ({type(error).__name__}: {error})"
         raise BadInput.one(where, what, "its files as they were written") from error
+    if damaged:
+        session.tell(_older(name, damaged))
+    return session
+
+
+def _older(name: str, damaged: tuple[str, ...]) -> RobotAct:
+    """Return the line that tells that a newer session could not be read."""
+    slots = {"name": name, "names": list(damaged)}
+    return RobotAct("report", "resumed_older", slots=MappingProxyType(slots))
 
 
 def _header(args: argparse.Namespace) -> Transcript:

@@ -8,6 +8,7 @@ from assistant.dialogue import heard_names, keeping, practicing, showing
 from assistant.dialogue.asides import aside
 from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
+from assistant.dialogue.declining import denied
 from assistant.dialogue.doubting import doubted, is_guess, misunderstood, without_guess
 from assistant.dialogue.effects import Effect
 from assistant.dialogue.events import Heard
@@ -16,7 +17,6 @@ from assistant.dialogue.finding import fully_named, with_name
 from assistant.dialogue.fresh import fresh
 from assistant.dialogue.general import general
 from assistant.dialogue.grounding import names_known, two_ways
-from assistant.dialogue.grouping import SHOW_AGAIN
 from assistant.dialogue.helping import help_line, patient
 from assistant.dialogue.naming import number_of, text_of, tidy_name
 from assistant.dialogue.otherwise import (
@@ -37,7 +37,6 @@ from assistant.dialogue.recounting import show
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.requests import requested
 from assistant.dialogue.slips import BEGIN_ANEW
-from assistant.dialogue.spots import SPOT
 from assistant.dialogue.state import (
     Closed,
     Dialogue,
@@ -57,7 +56,6 @@ from assistant.dialogue.turn import (
     say,
     with_other,
 )
-from assistant.dialogue.undoing import undo
 from assistant.dialogue.unknowing import unknowing, unknown_to
 from assistant.dialogue.wondering import asks_why, wondered
 from assistant.language.hints import hints, mentions
@@ -175,13 +173,23 @@ def act_on(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn:
     if anywhere is not None:
         return anywhere
     watching = isinstance(dialogue.state, Watching)
+    told: tuple[Effect, ...] = ()
     if dialogue.pending is not None and (not watching or dialogue.pending.leave):
         if (answered := _answer_pending(heard, act, words)) is not None:
             return answered
+        told = _left_aside(heard)
         heard = replace(heard, pending=None)
     if watching:
         return showing.while_watching(heard, act)
-    return general(heard, act, words) or in_state(heard, act, words)
+    return first(told, general(heard, act, words) or in_state(heard, act, words))
+
+
+def _left_aside(dialogue: Dialogue) -> tuple[Effect, ...]:
+    """Tell who goes on to something else that what was asked about is not done."""
+    pending = dialogue.pending
+    if pending is None or is_guess(pending) or not pending.acts:
+        return ()
+    return say(dialogue, line("told", "left_aside"))[1]
 
 
 def _anywhere(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> Turn | None:
@@ -221,6 +229,8 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
     if pending.asked == "unsaved":
         return keeping.answer_unsaved(dialogue, act)
     free = replace(dialogue, pending=None)
+    if pending.line.topic == showing.FORGET:
+        return showing.begun(dialogue, act)
     if pending.asked == "facing":
         return _faced(free, pending, act, words)
     if pending.asked == "which" and isinstance(act, acts.Inform):
@@ -238,27 +248,9 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
             # "Scratch that" to a guess takes the guess back, not what was done before.
             return tell(free, line("told", "as_it_was"))
         case acts.Deny():
-            return _denied(dialogue, pending)
+            return denied(dialogue, pending)
         case _:
             return None
-
-
-def _denied(dialogue: Dialogue, pending: Pending) -> Turn:
-    """Take a no to a question in between; where there is another reading, read that back."""
-    free = replace(dialogue, pending=None)
-    if pending.line.topic == heard_names.TOPIC:
-        return tell(free, line("told", "say_or_spell"))
-    if pending.line.topic == SHOW_AGAIN:
-        # What is not shown anew cannot be done anew.
-        return undo(free)
-    if pending.line.topic == SPOT:
-        # No to a place that was offered leaves it to the showing.
-        return in_state(free, acts.Deny(), Words(""))
-    if is_guess(pending) and pending.other:
-        return guessed_other(dialogue)
-    if is_guess(pending):
-        return tell(replace(free, misses=1), line("told", "say_it_otherwise"))
-    return tell(free, line("told", "as_it_was"))
 
 
 def _chosen(dialogue: Dialogue, pending: Pending, text: str, words: Words) -> Turn:

@@ -184,13 +184,13 @@ def _none(dialogue: Dialogue, state: Introducing) -> Turn:
 def _awaiting(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
     match act:
         case acts.Start() | acts.Affirm() | acts.Resume() | acts.Again():
-            return showing.watch(dialogue)
+            return showing.begin(dialogue)
         case acts.Cue():
-            return showing.watch(dialogue)
+            return showing.begin(dialogue)
         case acts.Approve() if dialogue.known.demonstrations:
             return introduced(dialogue)
         case acts.Approve():
-            return showing.watch(dialogue)
+            return showing.begin(dialogue)
         case acts.Deny():
             return say(dialogue, line("told", "take_your_time"))
         case _:

@@ -11,6 +11,7 @@ from assistant.dialogue.effects import Replay
 from assistant.dialogue.events import Learned
 from assistant.dialogue.gripped import met
 from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.missed import missed
 from assistant.dialogue.naming import alike, is_no_step, tidy_name
 from assistant.dialogue.runs import Run
 from assistant.dialogue.sketch import at, put
@@ -41,6 +42,10 @@ def learned(dialogue: Dialogue, event: Learned) -> Turn:
         if wide:
             slots |= {"thing": wide, "most_mm": WIDEST_MM}
         return tell(waiting, RobotAct("error", f"not_learned.{event.why_not}", slots=slots))
+    fault = missed(known, event.lesson)
+    if fault is not None:
+        forgotten = changed(dialogue, "demonstration", _without_last(dialogue))
+        return tell(replace(forgotten, state=AwaitingShow()), fault)
     lesson = carried_over(known.lesson, event.lesson)
     # A lesson follows from what the teacher did last: undo takes back that, and the lesson too.
     after = replace(

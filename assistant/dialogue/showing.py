@@ -24,6 +24,43 @@ def watch(dialogue: Dialogue) -> Turn:
     return then(say(watching, told), Record())
 
 
+FORGET = "forget_earlier"
+"""The question whether what was shown before is to be forgotten."""
+
+
+def begin(dialogue: Dialogue) -> Turn:
+    """Watch; what was shown before and led to nothing good is asked about first."""
+    state, known = dialogue.state, dialogue.known
+    whole = isinstance(state, AwaitingShow) and not state.step
+    failed = dialogue.refusal is not None or dialogue.runs or dialogue.halt is not None
+    if not (whole and known.demonstrations and failed) or dialogue.clean:
+        return watch(dialogue)
+    question = line("confirm", FORGET, asked="ready", about=About(known.name))
+    return ask(replace(dialogue, pending=Pending("ready", question)))
+
+
+def begun(dialogue: Dialogue, act: acts.TeacherAct) -> Turn | None:
+    """Watch after a yes or no to whether what was shown before is forgotten; undo brings it back.
+
+    None where the teacher went on to something else.
+    """
+    free = replace(dialogue, pending=None)
+    match act:
+        case acts.Affirm() | acts.Approve():
+            return watch(_without_earlier(free))
+        case acts.Deny():
+            return watch(free)
+        case acts.Start():
+            return tell(dialogue, line("told", "yes_or_no"))
+        case _:
+            return None
+
+
+def _without_earlier(dialogue: Dialogue) -> Dialogue:
+    known = replace(dialogue.known, demonstrations=(), cuts_s=None, assigned=(), reviewed=False)
+    return changed(dialogue, "demonstration", known)
+
+
 def while_watching(dialogue: Dialogue, act: acts.TeacherAct) -> Turn:
     """Answer what is said during a demonstration; markers and chat are met with silence."""
     match act:

@@ -36,7 +36,7 @@ def told_size(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = (
     if isinstance(state, Introducing) and state.asked == "objects" and not state.index:
         return _things_with_sizes(free, text)
     asked = state.asked if isinstance(state, Introducing) else ""
-    if asked not in ("goal", "body") and not _described(free, text):
+    if asked != "body" and not _described(free, text):
         # "500 x 100 x 240" answers where it is, and "move it 10 cm" what is done.
         return None
     thing = _thing_meant(free, text)
@@ -56,8 +56,10 @@ def told_size(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = (
 
 def _described(dialogue: Dialogue, text: str) -> bool:
     """Whether words of size stand beside the numbers of a text, or a shape."""
-    language = dialogue.language
-    told = mentions(text, hints("size_words", language)) or bool(matter(text, "shapes", language))
+    language, state = dialogue.language, dialogue.state
+    told = mentions(text, hints("size_words", language))
+    if isinstance(state, Introducing) and state.asked != "goal":
+        told = told or bool(matter(text, "shapes", language))
     return told and read_action(text, (), language).action is None
 
 
@@ -88,6 +90,9 @@ def _thing_meant(dialogue: Dialogue, text: str) -> str:
     known, state, language = dialogue.known, dialogue.state, dialogue.language
     things = known.objects or ()
     named = mentioned_objects(text, things, language)
+    if isinstance(state, Introducing) and state.asked == "body":
+        # "A flat thing" is the one asked about.
+        named = tuple(one for one in named if mentions(text, (one,)))
     if len(named) == 1:
         return named[0]
     pronoun = mentions(text, hints("pronouns", language))

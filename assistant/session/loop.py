@@ -124,10 +124,11 @@ class Session:
 
     # What the teacher does.
 
-    def raw(self, text: str) -> None:
-        """Look at input before anything else does; safe to call from another thread."""
-        if (self.moving or self._busy) and has_stop_word(text, self.language):
+    def raw(self, text: str) -> bool:
+        """Stop what is under way if input says so, and return whether; safe from any thread."""
+        if stops := (self.moving or self._busy) and has_stop_word(text, self.language):
             self.equipment.stop_flag.set()
+        return stops
 
     def understood(self, text: str, sure: float = 1.0) -> Understanding:
         """Return what words mean here and now."""

@@ -42,17 +42,29 @@ def past_sessions(folder: Path) -> tuple[PastSession, ...]:
 
 
 def newest_session(folder: Path) -> str:
-    """Return the name of the session written last.
+    """Return the name of the session written last that can be read; of none, the last one's.
 
     Raises
     ------
     BadInput
         If there is none.
     """
-    journals = sorted(folder.glob(f"*/{NAME}"), key=lambda path: path.stat().st_mtime_ns)
-    if not journals:
+    newest = _newest_first(folder)
+    if not newest:
         raise BadInput.one("--resume", "there is no session yet", "begin one: assistant teach")
-    return journals[-1].parent.name
+    readable = (path for path in newest if not _told(path).trouble)
+    return next(readable, newest[0]).parent.name
+
+
+def newer_sessions(folder: Path, name: str) -> tuple[str, ...]:
+    """Return the names of the sessions written after one, the newest first."""
+    names = [path.parent.name for path in _newest_first(folder)]
+    return tuple(names[: names.index(name)]) if name in names else ()
+
+
+def _newest_first(folder: Path) -> list[Path]:
+    journals = folder.glob(f"*/{NAME}")
+    return sorted(journals, key=lambda path: path.stat().st_mtime_ns, reverse=True)
 
 
 def _told(path: Path) -> PastSession:

@@ -11,7 +11,7 @@ BEAT_S = 0.2
 
 
 def beating(
-    lines: Iterable[str], beat: Callable[[], None], see: Callable[[str], None]
+    lines: Iterable[str], beat: Callable[[], None], see: Callable[[str], object]
 ) -> Iterator[str]:
     """Yield lines as they come, beating while there are none.
 

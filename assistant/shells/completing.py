@@ -7,6 +7,7 @@ from pathlib import Path
 
 from prompt_toolkit.completion import CompleteEvent, Completer, Completion, PathCompleter
 from prompt_toolkit.document import Document
+from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 
 from assistant.language.completion import filled, suggestions
 from assistant.language.hints import page
@@ -73,3 +74,14 @@ def named(typed: str, names: Iterable[str]) -> Iterator[Completion]:
 
 def _showable(name: str) -> bool:
     return Path(name).is_dir() or name.endswith(SHOWN)
+
+
+def remembered(path: Path) -> History:
+    """Return what was typed before, in this session and earlier ones."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.touch()
+    except OSError:
+        # Without a writable folder the history lasts as long as the session.
+        return InMemoryHistory()
+    return FileHistory(str(path))

@@ -14,7 +14,6 @@ from pathlib import Path
 
 from prompt_toolkit import PromptSession
 from prompt_toolkit.auto_suggest import AutoSuggestFromHistory
-from prompt_toolkit.history import FileHistory, History, InMemoryHistory
 from prompt_toolkit.key_binding import KeyBindings, KeyPressEvent
 from prompt_toolkit.patch_stdout import StdoutProxy
 from prompt_toolkit.search import stop_search
@@ -32,9 +31,10 @@ from assistant.shells.answering import picture, redrawn, rendered
 from assistant.shells.bar import bar
 from assistant.shells.beating import BEAT_S
 from assistant.shells.beside import Beside, Words
-from assistant.shells.completing import Sayable
+from assistant.shells.completing import Sayable, remembered
 from assistant.shells.interrupting import interrupts
 from assistant.shells.keys import Driving
+from assistant.shells.overhearing import Overhearing, typed_lines
 from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
 from assistant.shells.wrapping import columns, styled, wrapped
@@ -71,6 +71,7 @@ class TextShell:
         self._left_known_s: float | None = None
         self._interrupted = False
         self._typed = ""
+        self._waiting: list[str] = []
         self._showing = Showing(self._write, keys=True)
         self._heart = Heartbeat(RealClock())
 
@@ -123,6 +124,9 @@ class TextShell:
             raise self._error
 
     def _turn(self, session: Session, prompt: PromptSession[str]) -> None:
+        if self._waiting:
+            self._take(session, self._waiting.pop(0))
+            return
         try:
             text = prompt.prompt(
                 f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
@@ -155,11 +159,12 @@ class TextShell:
         if every_s is not None:
             self._drive(session, self._ticker, every_s)
             text = ""
-        with self._ticker.lock:
+        with self._ticker.lock, Overhearing(typed_lines(), session.raw) as overheard:
             if text and not self._showing.take(session, text):
                 session.hear(text)
             self._showing.offer(session)
             self._heart.beat()
+        self._waiting += overheard.lines
 
     def _interrupt(self) -> None:
         """Stop what moves or is about to; the rest is done when what is under way is over."""
@@ -191,7 +196,7 @@ class TextShell:
 
     def _prompt(self, session: Session) -> PromptSession[str]:
         return PromptSession(
-            history=_history(self._history),
+            history=remembered(self._history),
             completer=Sayable(session),
             complete_while_typing=False,
             complete_style=CompleteStyle.MULTI_COLUMN,
@@ -287,13 +292,3 @@ def write(text: str) -> None:
     """Write a line above the one being typed; safe from any thread while the prompt is open."""
     sys.stdout.write(f"{text}\n")
     sys.stdout.flush()
-
-
-def _history(path: Path) -> History:
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.touch()
-    except OSError:
-        # Without a writable folder the history lasts as long as the session.
-        return InMemoryHistory()
-    return FileHistory(str(path))

@@ -157,6 +157,18 @@ def test_a_journal_whose_files_are_gone_is_bad_input(tmp_path: Path) -> None:
     assert "Traceback" not in ended.stderr
 
 
+def test_a_newest_session_that_is_unreadable_is_passed_over_and_told(tmp_path: Path) -> None:
+    run(tmp_path, lines="pick and place\n")
+    broken = tmp_path / "sessions" / "2"
+    broken.mkdir()
+    (broken / "journal.yaml").write_text("", "utf-8")
+    again = run(tmp_path, "--resume", "--json")
+    told = [json.loads(line) for line in again.stdout.splitlines()]
+    assert "resumed" in [one.get("topic") for one in told]
+    older = next(one for one in told if one.get("topic") == "resumed_older")
+    assert older["text"].startswith("This is session 1.")
+
+
 def test_a_home_that_cannot_be_written_is_told_and_the_talk_goes_on(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("not a folder")
     ended = run(tmp_path / "file", lines="pick and place\nquit\nno\n")

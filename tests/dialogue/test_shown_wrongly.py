@@ -9,6 +9,7 @@ from assistant.dialogue import events as ev
 from assistant.dialogue.machine import public_view
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.motion import Refusal
 from tests.dialogue.teaching import Lessons, demonstration, lesson
 
 
@@ -69,3 +70,21 @@ def test_the_old_one_can_be_forgotten_while_the_new_one_is_waited_for() -> None:
 )
 def test_other_words_forget_nothing(text: str) -> None:
     assert shown(shown_twice().hear(acts.Unknown(), text=text)) == 2
+
+
+def test_after_a_refusal_a_new_showing_asks_once_about_the_earlier_one() -> None:
+    for answer, left in ((acts.Affirm(), 1), (acts.Deny(), 2)):
+        teacher = Lessons().ready().hear(acts.Start())
+        refusal = Refusal("reach", "block")
+        teacher.happen(ev.Checked(teacher.dialogue.known.setup, refusal))
+        teacher.hear(acts.GoBack("demonstration")).hear(acts.Start())
+        assert teacher.topics == ["confirm.forget_earlier"]
+        teacher.hear(answer)
+        assert teacher.topics == ["report.watching"]
+        teacher.hear(acts.Approve()).happen(ev.Shown(demonstration()))
+        assert shown(teacher.happen(ev.Learned(lesson()))) == left
+
+
+def test_a_showing_more_after_no_trouble_is_simply_watched() -> None:
+    teacher = Lessons().learned().hear(acts.GoBack("demonstration")).hear(acts.Start())
+    assert teacher.topics == ["report.watching"]
