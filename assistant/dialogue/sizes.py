@@ -90,9 +90,9 @@ def _thing_meant(dialogue: Dialogue, text: str) -> str:
     known, state, language = dialogue.known, dialogue.state, dialogue.language
     things = known.objects or ()
     named = mentioned_objects(text, things, language)
-    if isinstance(state, Introducing) and state.asked == "body":
-        # "A flat thing" is the one asked about.
-        named = tuple(one for one in named if mentions(text, (one,)))
+    if matter(text, "shapes", language) or mentions(text, hints("pronouns", language)):
+        # "A flat box" is the one asked about, whatever else is a box.
+        named = tuple(one for one in named if mentions(text, (one.lower(),)))
     if len(named) == 1:
         return named[0]
     pronoun = mentions(text, hints("pronouns", language))

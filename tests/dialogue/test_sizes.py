@@ -46,3 +46,14 @@ def test_a_place_a_way_and_a_number_are_no_size(text: str) -> None:
 def test_a_sentence_is_read_without_its_sizes() -> None:
     assert without_sizes("a jar, 6 cm tall, 5 wide", "english").startswith("a jar")
     assert not any(sign.isdigit() for sign in without_sizes("a box 30 x 20 x 1 cm", "english"))
+
+
+def test_a_box_is_the_thing_asked_about_though_another_is_called_one() -> None:
+    teacher = Lessons().open().tell("tea box").tell("the tea box is on the coaster")
+    teacher.tell(("tea box", "coaster")).tell("a box, 6 by 4 by 7 centimetres")
+    if teacher.asked == "pose":
+        teacher.hear(acts.Deny(), text="no")
+    teacher.tell("a box 100 by 100 by 5 mm")
+    bodies = teacher.dialogue.known.scene.bodies
+    assert bodies["tea box"].size_mm == (60.0, 40.0, 70.0)
+    assert bodies["coaster"].size_mm == (100.0, 100.0, 5.0)
