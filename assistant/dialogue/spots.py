@@ -14,7 +14,7 @@ from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.setup import Place
 
-AHEAD_MM, ASIDE_MM = 650.0, (150.0, 0.0, 300.0)
+AHEAD_MM, ASIDE_MM = 450.0, (150.0, 0.0, 250.0)
 """Seen from the arm's base; what is carried is taken from its left and brought to its right."""
 GAP_MM = 60.0
 """Between two things, so that the fingers have room."""

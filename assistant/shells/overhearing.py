@@ -50,6 +50,11 @@ class Overhearing:
         if self._thread is not None:
             self._thread.join()
 
+    @property
+    def begun(self) -> str:
+        """What was typed of a line that is not ended yet."""
+        return "".join(one for one in self._rest.decode("utf-8", "replace") if one.isprintable())
+
     def _read(self) -> None:
         assert self._source is not None
         while not self._over.is_set():
@@ -59,7 +64,7 @@ class Overhearing:
             chunk = os.read(self._source, CHUNK)
             if not chunk:
                 return
-            *lines, self._rest = (self._rest + chunk).split(b"\n")
+            *lines, self._rest = (self._rest + chunk).replace(b"\r", b"\n").split(b"\n")
             for line in lines:
                 text = line.decode("utf-8", "replace").strip()
                 if text and not self._take(text):

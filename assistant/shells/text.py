@@ -72,6 +72,7 @@ class TextShell:
         self._interrupted = False
         self._typed = ""
         self._waiting: list[str] = []
+        self._begun = ""
         self._showing = Showing(self._write, keys=True)
         self._heart = Heartbeat(RealClock())
 
@@ -128,8 +129,11 @@ class TextShell:
             self._take(session, self._waiting.pop(0))
             return
         try:
+            begun, self._begun = self._begun, ""
             text = prompt.prompt(
-                f"{self._names['you']}: ", pre_run=lambda: self._begin(session, prompt)
+                f"{self._names['you']}: ",
+                default=begun,
+                pre_run=lambda: self._begin(session, prompt),
             ).strip()
         except EOFError:
             self._closed(session)
@@ -165,6 +169,7 @@ class TextShell:
             self._showing.offer(session)
             self._heart.beat()
         self._waiting += overheard.lines
+        self._begun += overheard.begun
 
     def _interrupt(self) -> None:
         """Stop what moves or is about to; the rest is done when what is under way is over."""
