@@ -33,8 +33,9 @@ SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
 ALIKE = 8
 ALIKE_TO = 3
 """So many commands that sound alike are weighed, for so many readings."""
-REPAIRS = 8
-"""So many sentences are weighed that a reading nearly is."""
+REPAIRS, REPAIRS_TRIED = 8, 16
+"""So many sentences are weighed that a reading nearly is, of so many likeliest ones: what they
+mean takes long to tell."""
 SENTENCE_WORDS = 3
 TOO_LONG = 6.0
 """Phrases that cannot have taken so long, or so little, are not weighed."""
@@ -196,10 +197,16 @@ class Chooser:
             return
         names = (listening.task, *listening.objects, *listening.subtasks)
         before = self._meaning(heard, listening)
-        for text in repaired(heard, names, self._language):
+        for text in self._likeliest(repaired(heard, names, self._language)):
             meant = self._meaning(text, listening)
             if means(meant) and not (means(before) and meant.acts == before.acts):
                 yield text
+
+    def _likeliest(self, texts: Sequence[str]) -> Sequence[str]:
+        """Return the few texts a teacher likeliest says, whatever their length."""
+        likely = self._worded(texts)
+        ranked = sorted(texts, key=lambda text: -likely.get(text, 0.0) - len(text.split()))
+        return ranked[:REPAIRS_TRIED]
 
 
 def _is_sentence(text: str) -> bool:

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import pytest
 
+from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import (
     Cue,
@@ -17,12 +18,16 @@ from assistant.model.teacher_acts import (
     Stop,
     Translate,
 )
+from assistant.shells.voice import choosing
+from assistant.shells.voice.choosing import REPAIRS_TRIED, Chooser
 from assistant.shells.voice.deciding import SURE, decided, is_unknown
+from assistant.shells.voice.repairing import repaired
 from assistant.shells.voice.sound import Samples
 from assistant.shells.voice.weighing import Candidate
 from tests.shells.voice.reading import (
     A_SECOND,
     NAMING,
+    PRACTICE,
     Reads,
     Weighs,
     acted_on,
@@ -151,6 +156,22 @@ def test_a_sentence_nearly_read_is_found() -> None:
         Reads(("close the ripper", 1.0)), Weighs(told, ("close the ripper", 0.6)), sound=A_SECOND
     )
     assert acted_on(one) == ()
+
+
+@pytest.mark.voice
+def test_few_of_the_sentences_nearly_read_are_understood(monkeypatch: pytest.MonkeyPatch) -> None:
+    # To understand all of them took longer than to recognize what was said.
+    understood: list[str] = []
+
+    def noted(text: str, listening: Listening, language: str = "english") -> Understanding:
+        understood.append(text)
+        return understand(text, listening, language)
+
+    monkeypatch.setattr(choosing, "understand", noted)
+    read = "to mend the left most part of it now"
+    assert len(repaired(read)) > 3 * REPAIRS_TRIED
+    list(Chooser(Weighs({}))._made(read, PRACTICE))
+    assert 1 < len(understood) <= REPAIRS_TRIED + 1
 
 
 @pytest.mark.voice
