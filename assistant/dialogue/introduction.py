@@ -127,7 +127,15 @@ def _read_back(known: Knowledge) -> dict[str, object]:
         "tree": plain_tree(replace(known.root, name=known.name)),
         "goal": known.goal or "",
         "objects": objects,
+        "sizes": _sizes(known) or None,
     }
+
+
+def _sizes(known: Knowledge) -> dict[str, list[float]]:
+    """Return how big the things of the task are taken to be that the teacher told of, in cm."""
+    bodies = known.scene.bodies
+    told = [one.name for one in known.objects or () if one.name in known.shaped]
+    return {name: [round(side / 10.0, 1) for side in bodies[name].size_mm] for name in told}
 
 
 def understood(known: Knowledge, index: Index) -> Knowledge:
@@ -181,6 +189,9 @@ def with_roles(known: Knowledge) -> Knowledge:
     actions = [node.action for _, node in walk(known.root) if node.action is not None]
     grasped = {one.object for one in actions if (one.verb, one.way) == ("hand", "close")}
     goals = {one.object for one in actions if (one.verb, one.way) == ("hand", "open")}
+    if grasped:
+        # "Put it down" where it was carried to: "carry it to the book".
+        goals |= {one.object for one in actions if (one.verb, one.way) == ("move", "to")}
     roles: list[TaskObject] = []
     for thing in known.objects or ():
         if thing.name in grasped:

@@ -133,6 +133,14 @@ def _place(wording: Wording, value: Mapping[str, Any]) -> str:
     return wording.words("place", slots)
 
 
+def _sizes(wording: Wording, value: Mapping[str, Any]) -> str:
+    told = [
+        wording.words("size_of", {"name": name, "x": x, "y": y, "z": z})
+        for name, (x, y, z) in (value or {}).items()
+    ]
+    return wording.joined(told)
+
+
 def _places(wording: Wording, value: Mapping[str, Any]) -> str:
     told = [
         wording.words("place_of", {"name": name, "place": _place(wording, place)})
@@ -249,6 +257,7 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "action": _action,
     "conditions": _conditions,
     "state": _state,
+    "sizes": _sizes,
     "tree": _tree,
     "place": _place,
     "places": _places,

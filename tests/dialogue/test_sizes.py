@@ -57,3 +57,22 @@ def test_a_box_is_the_thing_asked_about_though_another_is_called_one() -> None:
     bodies = teacher.dialogue.known.scene.bodies
     assert bodies["tea box"].size_mm == (60.0, 40.0, 70.0)
     assert bodies["coaster"].size_mm == (100.0, 100.0, 5.0)
+
+
+def test_the_plan_is_read_back_with_the_sizes_told() -> None:
+    teacher = Lessons().open().tell("tea box").tell("the tea box is on the book")
+    teacher.hear(
+        acts.Unknown(), text="a tea box 4 cm wide and 7 high, and a book 15 by 12 and 3 high"
+    )
+    for _ in range(2):
+        teacher.hear(acts.Deny(), text="no")
+    steps = ("take the tea box", "lift it", "carry it to the book", "put it down")
+    teacher.tell(steps)
+    while teacher.asked == "subtask_count":
+        teacher.tell(0)
+    assert teacher.topics[-1] == "confirm.tree"
+    told = phrase(teacher.lines[-1])
+    assert "the tea box to be 4 by 4 by 7 and the book to be 15 by 12 by 3 centimetres" in told
+    # What it is carried to is where it is put down, though the last step does not name it.
+    roles = {one.name: one.role for one in teacher.dialogue.known.objects or ()}
+    assert roles == {"tea box": "object", "book": "target"}
