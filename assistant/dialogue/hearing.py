@@ -86,7 +86,8 @@ def _by_words(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Wor
     turn = wondered(dialogue, words)
     turn = turn or aside(dialogue, words, meant) or requested(dialogue, words)
     if turn is not None:
-        return one_question(turn)
+        dropped = dialogue.pending is not None and turn[0].pending is None
+        return one_question(first(_left_aside(dialogue) if dropped else (), turn))
     if wants_other(dialogue, words.text):
         return one_question(_other_one(dialogue))
     named = named_other(dialogue, words.text)

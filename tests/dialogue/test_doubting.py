@@ -215,3 +215,11 @@ def test_a_goodbye_starts_nothing(text: str) -> None:
     assert teacher.asked == "unsaved"
     teacher = Lessons().ready().hear(acts.Start(), text=text)
     assert not teacher.did(fx.Check)
+
+
+@pytest.mark.parametrize("text", ["go home", "swap them"])
+def test_a_question_that_is_passed_over_is_said_to_be_left_aside(text: str) -> None:
+    teacher = Lessons().ready().run().hear(acts.Translate("left", 2.0), text="a bit more left")
+    assert teacher.asked == "facing"
+    teacher.hear(acts.Unknown(), text=text)
+    assert teacher.topics[0] == "told.left_aside"

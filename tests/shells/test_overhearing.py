@@ -54,7 +54,12 @@ def test_an_input_that_ends_ends_the_reading() -> None:
 def test_a_line_that_is_not_ended_is_kept_for_the_next_prompt() -> None:
     all_read = threading.Event()
     source, typed = os.pipe()
-    with Overhearing(source, lambda text: all_read.set() is None) as beside:
+
+    def take(text: str) -> bool:
+        all_read.set()
+        return text == "end"
+
+    with Overhearing(source, take) as beside:
         os.write(typed, b"end\rthe tea ")
         assert all_read.wait(5.0)
     os.close(typed)
