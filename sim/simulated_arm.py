@@ -242,9 +242,9 @@ class SimulatedArm:
         playback, supposed = self._playback, self._supposed
         if playback is None or self._sensor is None or supposed is None:
             return
-        if not playback.pending or playback.pending[0].kind != "release":
+        stop = playback.pending[0] if playback.pending else None
+        if stop is None or stop.kind != "release" or not stop.frame:  # let go of anywhere
             return
-        stop = playback.pending[0]
         in_hand = compose(inverse(forward(self.world.joints()[0])), self.world.bodies()[held])
         seen = turned_back(self._scene.bodies[held], self._sensor.look(in_hand), supposed)
         offset = release_offset(supposed, seen)

@@ -63,6 +63,11 @@ class DrivenState(Protocol):
         """Whether what was done last is being taken back; none of that is shown."""
         ...
 
+    @property
+    def lowest(self) -> tuple[str, float] | None:
+        """What of hand and arm (fingers, palm, arm) is nearest above a table, and how far, mm."""
+        ...
+
 
 class DrivenHand(Protocol):
     """A hand driven by keys, one sample a period."""

@@ -12,7 +12,7 @@ from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
 from assistant.dialogue.one_step import ended_at
-from assistant.geometry import compose
+from assistant.geometry import Array, compose
 from assistant.language.speech import in_words
 from assistant.ports import ArmLook
 from assistant.session.equipment import DrivenHand
@@ -24,9 +24,13 @@ from assistant.shells.driving_view import (
     gap_line,
     gaps,
     in_the_way,
+    low_line,
+    points_down,
     step_line,
     unplaced,
+    way_line,
 )
+from assistant.shells.grip_view import Missed, left_over, missed_line, taken, width_mm
 from assistant.shells.gripping import CHARACTERS, Area
 from assistant.shells.wrapping import columns, wrapped
 
@@ -66,7 +70,8 @@ class Screen:
         self._size, self._rest = (0, 0), 0
         self._sights: tuple[Sight, ...] = ()
         step = str(session.dialogue_view["step_shown"])
-        self._closed = False
+        self._closed: Array | None = None
+        self._stale = False
         self._end = ended_at(session.dialogue.known, step) if step else None
 
     def _fitted(self, look: ArmLook, rest: int) -> None:
@@ -196,16 +201,31 @@ class Screen:
         return [[("", line)] for line in told]
 
     def _lost(self, look: ArmLook) -> list[str]:
-        """Return what to do about things whose places nobody told."""
-        words = self._words
-        self._closed = self._closed or bool(look.held) or look.gripper_m < SHUT_M
-        told = unplaced(
-            self._session.dialogue.known.objects or (), look, words, closed=self._closed
-        )
-        below_mm = above_table(look, self._session.mover.scene, self._hand.tip)
-        if told and below_mm is not None:
-            told = (*told, str(words["unplaced"]["table"]).format(mm=round(below_mm)))
-        return [line for one in told for line in wrapped(one, columns(), before="   ")]
+        """Return what to do about things whose places nobody told, and where the hand is."""
+        words, tip = self._words, self._hand.tip
+        self._closed = self._where_closed(look)
+        objects = self._session.dialogue.known.objects or ()
+        told = list(unplaced(objects, look, words, closed=self._closed is not None))
+        low = self._hand.state.lowest
+        if low is not None and any(one.name not in look.bodies for one in objects):
+            told.append(low_line(low, look, tip, words))
+            if self._closed is not None:
+                back = end_gap(look, self._closed, tip)
+                told.append(way_line(str(words["to_closed"]), back, words, facing=self.facing))
+        return [line for one in told if one for line in wrapped(one, columns(), before="   ")]
+
+    def _where_closed(self, look: ArmLook) -> Array | None:
+        """Return where the hand closed first, in what was not taken back."""
+        if self._hand.state.returning:
+            self._stale = True
+            return None
+        watching = self._session.watching
+        if self._stale and watching is not None:
+            self._stale = False
+            shut = (one.pose for one in watching.samples if (one.gripper_m or 1.0) < SHUT_M)
+            return next(shut, None)
+        shut_now = bool(look.held) or look.gripper_m < SHUT_M
+        return look.hand if self._closed is None and shut_now else self._closed
 
     def _state(self, look: ArmLook, told: str) -> Lines:
         session, words = self._session, self._words
@@ -213,10 +233,7 @@ class Screen:
         cues = [cue.say for cue in watching.cues] if watching is not None else []
         shown_s = watching.now_s if watching is not None else 0.0
         state = (
-            str(words["hand"]).format(mm=round(1000.0 * look.gripper_m)),
-            str(words["holding"]).format(name=in_words(look.held, session.language))
-            if look.held
-            else "",
+            *self._gripped(look),
             self._step(),
             str(words["shown"]).format(seconds=in_words(round(shown_s, 1), session.language)),
             told,
@@ -225,6 +242,28 @@ class Screen:
         lines = [(STRONG, line) for line in wrapped(step, columns(), before=" ")] if step else []
         doing = wrapped("   ".join(filter(None, state)), columns(), before=" ")
         return [[one] for one in (*lines, *((STATE, line) for line in doing))]
+
+    def _gripped(self, look: ArmLook) -> tuple[str, str]:
+        """Return how far the hand is open, and what it holds, as far as anybody can know."""
+        words, known = self._words, self._session.dialogue.known
+        held, mm = self.taken(look), 1000.0 * look.gripper_m
+        name = held if isinstance(held, str) else ""
+        if name and not look.held:
+            # On an empty table nothing keeps the fingers apart but what the teacher told.
+            mm = width_mm(known, name) or mm
+        told = str(words["holding"]).format(name=in_words(name, self._session.language))
+        return str(words["hand"]).format(mm=round(mm)), told if name else ""
+
+    def taken(self, look: ArmLook) -> str | Missed:
+        """Return what the hand holds, or missed."""
+        known = self._session.dialogue.known
+        return taken(known, look, self._session.mover.scene, self._hand.tip)
+
+    def unfinished(self) -> str:
+        """Return what seems to be missing before the demonstration ends: what is held, or not."""
+        held = self.taken(self._session.mover.look)
+        known, language = self._session.dialogue.known, self._session.language
+        return left_over(held, known, self._words, language)
 
     def _step(self) -> str:
         """Return how large a step is now."""
@@ -244,8 +283,18 @@ class Screen:
             warning = str(words["returning"])
         if state.clutched:
             warning = str(words["clutched"])
+        look, language = self._session.mover.look, self._session.language
+        held = self.taken(look)
+        if isinstance(held, Missed):
+            warning = missed_line(held, words, language)
         if state.blocked is not None:
-            held = self._session.mover.look.held
-            language, facing = self._session.language, self.facing
-            warning = in_the_way(state.blocked, words, language, held, facing=facing)
+            warning = in_the_way(
+                state.blocked,
+                words,
+                language,
+                look.held,
+                facing=self.facing,
+                touching=state.touching,
+                down=points_down(look),
+            )
         return [[(WARNING, line)] for line in wrapped(warning, columns(), before=" ")]

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from assistant.dialogue.reporting import refusal_line
-from assistant.geometry import Array, compose, quat_to_rpy, relative
+from assistant.geometry import Array, compose, quat_to_rpy, relative, rotate_vector
 from assistant.language.speech import in_words, phrase
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
@@ -21,10 +21,12 @@ NEAR_MM, NEAR_DEG = 0.5, 0.4
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""
 TURNS = ("q", "e")
-WRIST = ("joint 4", "joint 6")
-"""What turns about the arm's own line winds up, and unwinds by another way to the same place."""
+WRIST = ("joint 4", "joint 5", "joint 6")
+"""What winds up, or bends too far, is right again where the hand points down."""
 ELBOW = "joint 3"
 """It ends where the arm is folded up; stretched, the hand is out of reach before."""
+DOWNWARD = -0.9
+"""A hand whose approach goes so far down cannot be tilted out of the way."""
 MIRRORED = {"w": "s", "s": "w", "a": "d", "d": "a"}
 """Facing the robot, the teacher's directions are the other way round."""
 
@@ -141,6 +143,37 @@ def gap_line(gap: Gap, words: Mapping[str, Any], *, facing: bool, holding: bool)
     return "   ".join((head, *_steps(gap, words, facing=facing)))
 
 
+def way_line(head: str, gap: Gap, words: Mapping[str, Any], *, facing: bool) -> str:
+    """Return the way to a place as words and keys behind what it is; empty where the hand is."""
+    steps = tuple(_steps(gap, words, facing=facing))
+    return "   ".join((head, *steps)) if steps else ""
+
+
+def points_down(look: ArmLook) -> bool:
+    """Whether the hand points down."""
+    return bool(rotate_vector(look.hand[3:], np.array([1.0, 0.0, 0.0]))[2] < DOWNWARD)
+
+
+def low_line(lowest: tuple[str, float], look: ArmLook, tip: Array, words: Mapping[str, Any]) -> str:
+    """Return how near the table the hand is, and where over it, seen from the robot.
+
+    Parameters
+    ----------
+    lowest : tuple of str and float
+        What of arm and hand is nearest above a table, and how far in mm.
+    look : ArmLook
+    tip : array, shape (7,)
+    words : mapping
+        Of driving.
+    """
+    low, (part, mm) = words["low"], lowest
+    x, y = (1000.0 * compose(look.hand, tip)[:2]).tolist()
+    side = low["left" if y > 0 else "right"]
+    return str(low["line"]).format(
+        part=low["parts"][part], mm=round(mm), x=round(x), y=round(abs(y)), side=side
+    )
+
+
 def _steps(gap: Gap, words: Mapping[str, Any], *, facing: bool) -> Iterator[str]:
     ways = words["keys"]
     for away, keys in zip(gap.xyz_mm, WAYS, strict=True):
@@ -159,6 +192,8 @@ def in_the_way(
     held: str = "",
     *,
     facing: bool = False,
+    touching: str = "",
+    down: bool = False,
 ) -> str:
     """Return in words why the hand does not go on.
 
@@ -172,14 +207,21 @@ def in_the_way(
         What the hand holds: put down, it touches something.
     facing : bool
         Whether the teacher faces the robot.
+    touching : str
+        What of arm and hand would touch something.
+    down : bool
+        Whether the hand points down.
     """
     if isinstance(trouble, Refusal):
         told = phrase(refusal_line("refuse", trouble), language)
         if trouble.what == ELBOW:
             away = key_for("w", facing=facing)
             return f"{told} {str(words['folded']).format(key=away)}"
-        if trouble.reason == "collision" and not held:
-            return f"{told} {str(words['palm']).format(key=key_for('g', facing=facing))}"
+        if trouble.reason == "collision":
+            part = f"{touching}_down" if down and touching in ("palm", "arm") else touching
+            return f"{told} {words['touching'].get(part, '')}".strip()
+        if trouble.reason == "reach":
+            return f"{told} {str(words['far']).format(key=key_for('s', facing=facing))}"
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
     put_down = bool(held) and trouble.text == "contact"
     template = words["put_down"] if put_down else words["faults"][trouble.text]

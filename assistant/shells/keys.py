@@ -11,7 +11,6 @@ import asyncio
 import time
 from collections.abc import Callable
 from contextlib import AbstractContextManager
-from dataclasses import replace
 from typing import Any
 
 from prompt_toolkit import Application
@@ -31,7 +30,9 @@ from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
 from assistant.shells.driving_screen import Screen
 from assistant.shells.driving_view import key_for
+from assistant.shells.due import PERIOD_S, Begun, Due
 from assistant.shells.gripping import Grip
+from assistant.shells.said_driving import wish
 
 ARROWS = {
     Keys.Up: "w",
@@ -43,50 +44,9 @@ ARROWS = {
 }
 NAMED = {"space": " "}
 WHEEL = {MouseEventType.SCROLL_UP: "r", MouseEventType.SCROLL_DOWN: "f"}
-PERIOD_S, REFRESH_S = 0.02, 0.1
+REFRESH_S = 0.1
 PREPARING = ("h", "u", "+", "-", "space")
 """Keys that show nothing yet: who takes the hand to a good posture first begins after that."""
-
-
-class Due:
-    """Tells which samples to record: one in every so many seconds, and all that carry words."""
-
-    def __init__(self, every_s: float) -> None:
-        self._every_s, self._next_s = every_s, 0.0
-
-    def __call__(self, sample: HandSample) -> bool:
-        """Whether this sample is to be recorded."""
-        # What was taken back is shown anew.
-        self._next_s = min(self._next_s, sample.t_s + self._every_s)
-        if not sample.said and sample.t_s < self._next_s - PERIOD_S / 2:
-            return False
-        self._next_s = sample.t_s + self._every_s
-        return True
-
-
-class Begun:
-    """Lets samples pass from when the teacher begins, on a clock that begins then.
-
-    Whoever still reads what the keys do shows nothing.
-    """
-
-    def __init__(self) -> None:
-        self._begins = False
-        self._since_s: float | None = None
-
-    def begin(self) -> None:
-        """Take note that the teacher does something."""
-        self._begins = True
-
-    def __call__(self, sample: HandSample) -> HandSample | None:
-        """Return a sample on the demonstration's clock; None before it begins."""
-        if self._since_s is not None and sample.t_s < self._since_s:
-            # Everything was taken back.
-            self._since_s, self._begins = None, False
-        if self._since_s is None and not (self._begins or sample.said):
-            return None
-        self._since_s = sample.t_s if self._since_s is None else self._since_s
-        return replace(sample, t_s=sample.t_s - self._since_s)
 
 
 class View(FormattedTextControl):
@@ -140,6 +100,9 @@ class Driving:
         self._typing = False
         self._begun = Begun()
         self._told = ""
+        self._asked = False
+        self.anew = False
+        """Whether the teacher wants to show it from the beginning."""
         self._error: BaseException | None = None
         self._line = Buffer(multiline=False, accept_handler=self._said)
         self._app: Application[None] = Application(
@@ -207,10 +170,11 @@ class Driving:
 
     def press(self, key: str) -> None:
         """Take a key as it is named in the list of keys."""
+        self._asked = self._asked and key == "Esc"
         if key == "Enter":
             self._speak()
         elif key == "Esc":
-            self._hand.say(self._cues["Esc"])
+            self._finish()
         elif key in self._cues:
             self._told = str(self._words["said"]).format(words=f'"{self._cues[key]}"')
             self._hand.say(self._cues[key])
@@ -271,13 +235,33 @@ class Driving:
             self._line.reset()
             self._typing = False
         else:
-            self._hand.say(self._cues["Esc"])
+            self._finish()
+
+    def _finish(self) -> None:
+        """End the demonstration; what seems to be missing is told once."""
+        told = "" if self._asked else self._screen.unfinished()
+        self._asked = True
+        if told:
+            self._told = told
+            return
+        self._hand.say(self._cues["Esc"])
 
     def _said(self, line: Buffer) -> bool:
         self._typing = False
         text = line.text.strip()
         if text:
             self._session.raw(text)
-            self._hand.say(text)
-            self._told = str(self._words["said"]).format(words=f'"{text}"')
+            self._take(text)
         return False
+
+    def _take(self, text: str) -> None:
+        """Do what is typed: it is said to the robot, or asks something of the keys."""
+        asked, part = wish(self._session, text)
+        if asked == "back":
+            self.press("u")
+        elif asked == "help":
+            self._told = str(self._words["help"])
+        else:
+            self.anew = asked == "anew"
+            self._hand.say(part)
+            self._told = str(self._words["said"]).format(words=f'"{text}"')

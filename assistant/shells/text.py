@@ -20,20 +20,18 @@ from prompt_toolkit.search import stop_search
 from prompt_toolkit.shortcuts import CompleteStyle
 
 from assistant.language.hints import page
-from assistant.language.speech import in_words
 from assistant.model.robot_acts import RobotAct
 from assistant.session import halting
 from assistant.session.acting import leave, wants_to_leave
 from assistant.session.heartbeat import Heartbeat
 from assistant.session.loop import Session
-from assistant.session.stepping_in import step_in
 from assistant.shells.answering import picture, redrawn, rendered
 from assistant.shells.bar import bar
 from assistant.shells.beating import BEAT_S
 from assistant.shells.beside import Beside, Words
 from assistant.shells.completing import Sayable, remembered
 from assistant.shells.interrupting import interrupts
-from assistant.shells.keys import Driving
+from assistant.shells.leading import lead
 from assistant.shells.overhearing import Overhearing, typed_lines
 from assistant.shells.pacing import RealClock, Ticker
 from assistant.shells.showing import Showing
@@ -161,7 +159,7 @@ class TextShell:
         # Whoever drives by keys may talk meanwhile: the lock is taken for each sample.
         every_s = self._showing.by_keys(session, text)
         if every_s is not None:
-            self._drive(session, self._ticker, every_s)
+            lead(session, self._ticker.lock, every_s, self._write)
             text = ""
         with self._ticker.lock, Overhearing(typed_lines(), session.raw) as overheard:
             if text and not self._showing.take(session, text):
@@ -255,28 +253,6 @@ class TextShell:
             finally:
                 self._ticker.lock.release()
         return self._left_known_s
-
-    def _drive(self, session: Session, ticker: Ticker, every_s: float) -> None:
-        mover, driver = session.mover, session.equipment.driver
-        words = page("terminal", session.language)
-        if driver is None:
-            self._write(words["no_keys"])
-            return
-        with ticker.lock:
-            there = step_in(session)
-        if session.equipment.stop_flag.is_set():
-            session.equipment.stop_flag.clear()
-            self._write(words["at_rest"])
-            return
-        if not there:
-            self._write(words["driving"]["not_there"])
-        hand = driver(session.equipment.arm, session.equipment.planner, mover.scene, mover.setup)
-        watching = session.watching
-        self._write(words["driving"]["begin"])
-        Driving(session, hand, ticker.lock, every_s).run()
-        if watching is not None and session.dialogue_view["state"] != FORGOTTEN:
-            shown_s = in_words(round(watching.now_s, 1), session.language)
-            self._write(words["driving"]["end"].format(seconds=shown_s))
 
     def _write(self, text: str) -> None:
         for line in wrapped(text, columns(), before=INDENT):

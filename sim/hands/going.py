@@ -56,6 +56,8 @@ class KeyedState:
         What it does, or the name of what it holds.
     returning : bool
         Whether it goes back: that is not shown.
+    lowest : tuple of str and float, or None
+        What of hand and arm is nearest above a table, and how far in mm.
     """
 
     step_mm: float
@@ -66,6 +68,7 @@ class KeyedState:
     gave_way_mm: float
     hand: str
     returning: bool
+    lowest: tuple[str, float] | None
 
 
 class Going:
@@ -233,7 +236,12 @@ class Going:
     def _act(self, key: str, look: ArmLook) -> bool:
         """Begin to open or to close the hand; return whether that can be."""
         wanted = fingers.acting(key == CLOSE, self._scene, look)
-        found = self._planner.plan(wanted, self._scene, self._setup, look)
+        # Letting go is never refused: nothing else gets a thing out of the hand.
+        found = (
+            self._planner.plan(wanted, self._scene, self._setup, look)
+            if key == CLOSE
+            else fingers.resting(wanted, look)
+        )
         if isinstance(found, Refusal):
             self._blocked = found
             return False

@@ -25,6 +25,7 @@ from assistant.model.scene import Scene
 from assistant.model.setup import Setup
 from assistant.ports import Arm, HandSample, Planner
 from sim.driving import TIP
+from sim.hands import fingers
 from sim.hands.going import Going, KeyedState
 from sim.hands.keymap import (
     BACK,
@@ -77,6 +78,7 @@ class KeyedHand(Going):
         """What a display shows."""
         look = self._arm.look()
         doing = {OPEN: "opening", CLOSE: "closing"}.get(self._wanted, look.held)
+        low = fingers.lowest(self._scene, look)
         step_m, step_rad = self._steps.size(near=self._near(look))
         return KeyedState(
             1000.0 * step_m,
@@ -87,6 +89,7 @@ class KeyedHand(Going):
             1000.0 * self._gave_way_m,
             doing,
             self._returning is not None,
+            None if low is None else (low[0], 1000.0 * low[1]),
         )
 
     def press(self, key: str) -> bool:

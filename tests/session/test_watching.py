@@ -91,3 +91,24 @@ def test_markers_and_key_states_are_kept_with_their_times() -> None:
     shown = watching.demonstration(Setup(), "live")
     assert [(cue.at_s, cue.say) for cue in shown.cues] == [(0.08, "then")]
     assert [(one.at_s, one.say) for one in shown.key_states] == [(0.01, "look")]
+
+
+@pytest.mark.parametrize("resumed", [False, True])
+def test_what_is_taken_back_is_gone_from_memory_and_from_disk(
+    tmp_path: Path, resumed: bool
+) -> None:
+    path = tmp_path / "recording.csv"
+    watching = watched(path, 5 if resumed else 0)
+    watching.go_on()
+    before = len(watching.samples)
+    for number in range(6):
+        watching.see(sample(0.02 * number))
+        if number in (1, 4):
+            watching.hear("then", Understanding((Cue("next"),), 1.0, "then"))
+    watching.take_back(0.06)
+    assert len(watching.samples) == before + 3
+    assert watching.shown_s == pytest.approx(0.04)
+    assert [one.t_s for one in read_back(path)] == [one.t_s for one in watching.samples]
+    assert len(watching.cues) == 1
+    watching.see(sample(0.06))
+    assert read_back(path)[-1].t_s == watching.now_s

@@ -152,14 +152,21 @@ def test_the_step_being_shown_is_told_with_the_key_for_the_next() -> None:
 
 
 def test_what_is_in_the_way_is_told_in_the_robots_words() -> None:
-    refusal = Refusal("joint_limit", "next step", "joint 5")
+    refusal = Refusal("joint_limit", "next step", "joint 2")
     told = in_the_way(refusal, WORDS, "english")
-    assert told == "I do not go: at the next step joint 5 would pass its limit."
+    assert told == "I do not go: at the next step joint 2 would pass its limit."
     wound = in_the_way(Refusal("joint_limit", "next step", "joint 4"), WORDS, "english")
     assert "h unwinds" in wound
     low = Refusal("collision", "next step", "table")
-    assert "tilt it down (g)" in in_the_way(low, WORDS, "english")
-    assert "tilt" not in in_the_way(low, WORDS, "english", "block")
+    for part in ("fingers", "palm", "arm", "carried"):
+        told = in_the_way(low, WORDS, "english", touching=part)
+        assert "touch the table" in told
+        assert ("h points" in told) is (part == "palm")
+    down = in_the_way(low, WORDS, "english", touching="palm", down=True)
+    assert "h points" not in down
+    assert "r lifts it" in down
+    assert "(s)" in in_the_way(Refusal("reach", "next step"), WORDS, "english")
+    assert "(w)" in in_the_way(Refusal("reach", "next step"), WORDS, "english", facing=True)
     slipped = ArmReport("unmet", 1.0, text="held", object="block")
     assert "block slipped" in in_the_way(slipped, WORDS, "english")
     for text in OTHERS:
@@ -186,4 +193,6 @@ def test_every_fault_and_key_has_words(language: str) -> None:
     assert set(words["faults"]) == {"held", "contact", "tracking", *OTHERS}
     shown = " ".join(words["rows"].values()).split()
     assert sorted(shown) == sorted(words["keys"])
+    assert set(words["touching"]) == {"fingers", "palm", "palm_down", "arm", "arm_down", "carried"}
+    assert set(words["touching"]) == {"fingers", "palm", "palm_down", "arm", "arm_down", "carried"}
     assert set(words["headings"]) == {*words["rows"], "mouse"}

@@ -13,7 +13,7 @@ from assistant.errors import BadInput
 from assistant.files.recordings import read_recording
 from assistant.ports import HandSample
 from assistant.session.loop import Session
-from assistant.shells.keys import Begun, Due
+from assistant.shells.due import Begun, Due
 from assistant.shells.showing import Showing, told_problem
 
 WATCHING = cast(Session, SimpleNamespace(watching=object(), language="english"))
@@ -35,7 +35,7 @@ def test_keys_may_say_how_often_to_record(line: str, every_s: float) -> None:
     assert Showing(nowhere, keys=True).by_keys(WATCHING, line) == every_s
 
 
-@pytest.mark.parametrize("line", ["the keys", "keyss", "keys left", ""])
+@pytest.mark.parametrize("line", ["the key ring", "keyss", "keys left", ""])
 def test_other_lines_ask_for_no_keys(line: str) -> None:
     assert Showing(nowhere, keys=True).by_keys(WATCHING, line) is None
 

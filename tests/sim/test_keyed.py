@@ -15,6 +15,7 @@ from sim.hands import KeyedHand
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward, limit_margin
 from sim.planner import A465Planner
+from sim.sensor import InHandSensor, PlaceNoise
 from tests.sim.placing import lesson
 
 
@@ -348,3 +349,19 @@ def test_what_is_held_may_be_put_on_any_body() -> None:
         assert hand.state.blocked is None
     assert arm.look().hand[:3] == pytest.approx(target[:3], abs=1e-4)
     assert arm.look().held == "block"
+
+
+@pytest.mark.parametrize("seed", [1, 2, 5])
+def test_a_thing_that_sits_elsewhere_in_the_hand_is_let_go_all_the_same(seed: int) -> None:
+    _, scene, setup = lesson()
+    noise = PlaceNoise(0.02, 12.0, seed)
+    arm = KinematicArm(sensor=InHandSensor(), noise=noise)
+    beside = replace(setup, robot_start=replace(setup.places["block"], kind="hand"))
+    arm.arrange(scene, beside)
+    hand = KeyedHand(arm, A465Planner(), scene, beside)
+    assert settled(hand, "c").gripper_m == pytest.approx(0.04, abs=0.021)
+    assert arm.look().held == "block"
+    settled(hand, "r", 4)
+    assert settled(hand, "o").gripper_m == pytest.approx(0.08)
+    assert arm.look().held == ""
+    assert hand.state.blocked is None
