@@ -16,12 +16,14 @@ from typing import Any, cast
 
 from assistant.language.commands import settled
 from assistant.language.cutting import cuts, sure_cuts
+from assistant.language.forbidding import turned
 from assistant.language.last_word import uncontradicted
 from assistant.language.leading_answers import with_answer
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
 from assistant.language.parsing import ACTING, DOUBTFUL, GUESSED, LIKELY, Hearing, Parse
+from assistant.language.partial import unpartial
 from assistant.language.phrasebook import LANGUAGES
 from assistant.language.plain_forms import shortened, unbent
 from assistant.language.seeking import Chances, chance, label_of
@@ -158,7 +160,10 @@ def _kept_from(
 
     Nor is a yes or no told by words that stand in no list.
     """
-    if praised(weighed.acts, acts, words, hearing) or swapped(acts, weighed, words, hearing):
+    doubted = (swapped, turned)
+    if any(tell(acts, weighed, words, hearing) for tell in doubted):
+        return True
+    if praised(weighed.acts, acts, words, hearing):
         return True
     if isinstance(weighed.acts[0], Explain) and wondering(words, hearing):
         return kind_of(acts) in ("named", "motion")
@@ -260,7 +265,7 @@ def candidates(
     for acts, looks in [] if chat else _learned(weighed, words, chances, hearing):
         if Stop() not in acts and not _kept_from(acts, weighed, words, hearing):
             add(settled(Parse(acts, ACTING), hearing.listening).acts, looks)
-    found = list(pool.values())
+    found = unpartial(list(pool.values()))
     look_at(found, weighed, words, chances, hearing)
     return found
 

@@ -8,6 +8,7 @@ from assistant.language.words import Word, Words
 from assistant.model.teacher_acts import Asked
 
 _LONGEST = 7
+_CONFIRMING = frozenset(("confirm_tree", "confirm_segmentation", "did_you_mean", "satisfied"))
 
 
 def without_fillers(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
@@ -113,7 +114,7 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
             if len(words) <= size:
                 continue
             head, tail = _texts(words[:size]), _texts(words[-size:])
-            if head in known and words[size].broken:
+            if head in known and words[size].broken and not _answers(head, asked, book):
                 words, changed = words[size:], True
                 break
             set_off = words[-size].broken or (asked not in OPEN and tail in book.vocatives[0])
@@ -128,6 +129,11 @@ def _unaddressed(words: Words, asked: Asked | None, book: Phrasebook) -> Words:
                 words, changed = words[:-size], True
                 break
     return words
+
+
+def _answers(head: Phrase, asked: Asked | None, book: Phrasebook) -> bool:
+    """Tell a yes where one was asked for: "ja" leads into any line else."""
+    return asked in _CONFIRMING and head[0] in book.yes
 
 
 def _texts(words: Words) -> Phrase:

@@ -61,7 +61,10 @@ def _told_pace(tags: Sequence[Tag], little: LittleWords) -> str | None:
             len(tag.words) == 1 and tag.words[0] in little["paces"]
         )
         turned = bool({"too", "not", "less"} & set(near)) and "enough" not in [t.kind for t in tags]
-        turned = turned or (plain and at > 0 and set(tags[at - 1].words) <= little["so"])
+        counted = any(one.quantity for one in tags[:at])
+        so = plain and at > 0 and set(tags[at - 1].words) <= little["so"]
+        # "So fast" complains; "one and a half times so fast", as some languages say, does not.
+        turned = turned or (so and not counted)
         pace = PACES[tag.kind]
         complained = turned or tag.kind in ("fast", "slow")
         told.append((complained, OPPOSITE[pace] if turned else pace))

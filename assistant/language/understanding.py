@@ -15,6 +15,7 @@ from assistant.language.commands import command, consent, plain_answer, settled,
 from assistant.language.counted import counted, only_counted
 from assistant.language.cries import cried
 from assistant.language.fillers import bare_verbs, without_fillers
+from assistant.language.forbidding import obeyed
 from assistant.language.guessing import guess, urgent
 from assistant.language.last_word import assured, commanded, last_answer
 from assistant.language.naming import known_name
@@ -72,7 +73,8 @@ def understand(text: str, listening: Listening, language: str = "english") -> Un
     reading = read(text, plainly(listening), language)
     if not reading.words:
         return Understanding((Unknown(),), 0.9, text)
-    acts = dressed(reading.parse.acts, text, listening, language)
+    acts = obeyed(reading.parse.acts, reading.words, reading.hearing)
+    acts = dressed(acts, text, listening, language)
     score = reading.parse.score
     if any(isinstance(act, Stop) for act in acts):
         score = max(score, ACTING) if has_stop_word(text, language) else min(score, DOUBTFUL)

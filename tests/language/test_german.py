@@ -12,10 +12,13 @@ from assistant.model.teacher_acts import (
     ASKED,
     STAGES,
     AdjustLast,
+    AdjustSpeed,
+    Affirm,
     Cue,
     Gripper,
     Inform,
     Ordered,
+    Rename,
     SetPose,
     Show,
     Stop,
@@ -74,6 +77,34 @@ def test_completion_offers_german() -> None:
 
 
 PRACTICE = Listening(stage="practice")
+
+
+@pytest.mark.parametrize("text", ["anderthalbmal so schnell", "1,5 mal so schnell"])
+def test_so_many_times_so_fast_is_no_complaint(text: str) -> None:
+    assert understand(text, PRACTICE, "german").acts == (AdjustSpeed(factor=1.5),)
+
+
+@pytest.mark.parametrize("text", ["nicht so schnell", "du fährst so schnell"])
+def test_so_fast_alone_complains(text: str) -> None:
+    assert understand(text, PRACTICE, "german").acts == (AdjustSpeed("slower"),)
+
+
+def test_a_thing_and_what_stands_for_it_are_one() -> None:
+    heard = Listening(stage="practice", asked="pose")
+    acts = understand("der Karton er ist auf 450, 300 und 80", heard, "german").acts
+    assert acts == (SetPose("Karton", (450.0, 300.0, 80.0)),)
+
+
+def test_a_yes_before_a_change_answers() -> None:
+    heard = Listening(stage="introduction", asked="confirm_tree")
+    acts = understand("ja, aber nenn das Zwicken lieber Halten", heard, "german").acts
+    assert acts == (Affirm(), Rename("Zwicken", "Halten"))
+
+
+def test_little_words_behind_a_thing_are_no_part_of_it() -> None:
+    heard = Listening(stage="introduction", asked="objects")
+    acts = understand("die Kanne halt, und, äh, der Topf", heard, "german").acts
+    assert acts == (Inform(("Kanne", "Topf")),)
 
 
 @pytest.mark.parametrize("word", ["hast", "halb", "hält", "holt", "hole", "hat", "behalte", "stab"])
