@@ -10,6 +10,7 @@ import numpy as np
 
 from assistant.geometry import Array, angle_between, distance_between
 from assistant.learning.jolts import jolts
+from assistant.learning.onsets import centered
 from assistant.learning.signals import (
     GripperEvent,
     Minimum,
@@ -89,6 +90,7 @@ def gather(
     minima = speed_minima(smoothed.t_s, speed, signals)
     shaken = jolts(demonstration.recording, smoothed, settings.jolts)
     minima = tuple(sorted(minima, key=lambda spot: -spot.depth)[: signals.most_candidates])
+    minima = centered(minima, smoothed, signals)
     merged = _merged(events, minima, shaken, smoothed)
     inside = [c for c in merged if smoothed.t_s[0] < c.at_s < smoothed.t_s[-1]]
     settling = _settling(inside, smoothed, settings)

@@ -32,6 +32,14 @@ class SignalSettings:
     """A minimum without a stop tells of an instant only so well."""
     clear_depth: float = 3.0
     """A minimum so deep, in log speed, is a stop; one that is one less is none."""
+    onset_step_s: float = 0.15
+    """Recordings with shorter steps show rests themselves; else onsets of motion tell of them."""
+    onset_share: float = 0.4
+    """Of the way to the next rest: so much of it tells when the hand set off."""
+    onset_off: float = 0.2
+    """How far the way's first part strays from growing with the cube of time, by what it is."""
+    onset_noise: float = 4e-4
+    """Of the motion's extent: how much a hand at rest trembles and drifts."""
     correction: float = 0.015
     """Share of the motion's extent that a correction of a reach spans."""
     least_pace_m_s: float = 1e-4
