@@ -29,6 +29,7 @@ from assistant.dialogue.shown_wrongly import shown_wrongly
 from assistant.dialogue.sizes import told_size
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
 from assistant.dialogue.slips import slip
+from assistant.dialogue.splitting import split_into
 from assistant.dialogue.state import (
     AwaitingShow,
     Closed,
@@ -211,6 +212,7 @@ _REPLIES = (
     added,
     removed,
     swapped,
+    split_into,
     shown_again,
     shown_wrongly,
     order_freed,

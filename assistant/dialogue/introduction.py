@@ -189,7 +189,7 @@ def with_roles(known: Knowledge) -> Knowledge:
     actions = [node.action for _, node in walk(known.root) if node.action is not None]
     grasped = {one.object for one in actions if (one.verb, one.way) == ("hand", "close")}
     goals = {one.object for one in actions if (one.verb, one.way) == ("hand", "open")}
-    if grasped:
+    if grasped and not any(goals):
         # "Put it down" where it was carried to: "carry it to the book".
         goals |= {one.object for one in actions if (one.verb, one.way) == ("move", "to")}
     roles: list[TaskObject] = []

@@ -219,7 +219,7 @@ def test_a_goodbye_starts_nothing(text: str) -> None:
 
 @pytest.mark.parametrize("text", ["go home", "swap them"])
 def test_a_question_that_is_passed_over_is_said_to_be_left_aside(text: str) -> None:
-    teacher = Lessons().ready().run().hear(acts.Translate("left", 2.0), text="a bit more left")
+    teacher = Lessons().ready().run().hear(acts.Translate("left", "little"), text="a bit more left")
     assert teacher.asked == "facing"
     teacher.hear(acts.Unknown(), text=text)
     assert teacher.topics[0] == "told.left_aside"

@@ -1,0 +1,47 @@
+"""A step split into parts that are named at once: "split lift it into raise it and hold it"."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from assistant.dialogue import grouping
+from assistant.dialogue.finding import find
+from assistant.dialogue.naming import number_of, steps_in, tidy
+from assistant.dialogue.replying import in_state
+from assistant.dialogue.sketch import at
+from assistant.dialogue.state import Dialogue, Introducing
+from assistant.dialogue.turn import Turn, Words, first
+from assistant.language.hints import hints
+from assistant.model import teacher_acts as acts
+
+FEWEST = 2
+"""Parts that are named; of fewer nothing is told but that there are some."""
+
+
+def split_into(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
+    """Split a step into the parts a sentence names; None for other talk."""
+    if dialogue.pending is not None or "?" in words.text:
+        return None
+    told = re.match(
+        rf"\W*(?:\w+\s+){{0,2}}?(?:{_any('splits', dialogue)})\s+(.+?)\s+"
+        rf"(?:{_any('splits_into', dialogue)})\s+(.+)$",
+        words.text,
+        re.IGNORECASE,
+    )
+    index = find(dialogue.known, tidy(told.group(1), dialogue.language)) if told else None
+    if told is None or not index or at(dialogue.known.root, index).parts:
+        return None
+    parts = steps_in(told.group(2), FEWEST, dialogue.language)
+    if len(parts) < FEWEST or number_of(parts[0], dialogue.language) is not None:
+        return None
+    opened, effects = grouping.split(dialogue, at(dialogue.known.root, index).name)
+    state = opened.state
+    if not isinstance(state, Introducing) or state.asked != "subtask_name":
+        return opened, effects
+    return first(effects[:1], in_state(opened, acts.Inform(parts), words))
+
+
+def _any(part: str, dialogue: Dialogue) -> str:
+    told: list[str] = hints(part, dialogue.language)
+    return "|".join(map(re.escape, sorted(told, key=len, reverse=True)))
