@@ -7,6 +7,7 @@ rest; `adapted_path` is its core on arrays alone.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -55,16 +56,19 @@ def adapt(
     -----
     In every setup the hand moves no faster than the scene allows, nor faster than the
     demonstration's greatest speed (`least_m_s` if that is less) times `speed`, and turns no
-    faster than `plan.turn_rad_s`. No step is shorter than the lesson's own divided by `speed`,
-    none while the gripper acts shorter than the lesson's own.
+    faster than `plan.turn_rad_s`. No way between stations takes less time than the lesson's own
+    divided by `speed`; within one that grew, so that slowing down makes it longer, steps may be
+    shorter (`plan.hurry`), elsewhere none is; none while the gripper acts is shorter than the
+    lesson's own.
     """
     if not speed > 0.0:
         raise BadInput.one("speed", f"{speed:g}", "a factor above 0, such as 0.5")
     told = setup.robot_start
     begin = placed(told.xyz_mm, told.rpy_deg) if start is None else np.asarray(start).tolist()
     path = _path(plan, _frames(plan, scene, setup), begin)
-    settings, steps_s = plan.settings, plan.steps_s
+    settings, steps_s, hurry = plan.settings, plan.steps_s, plan.hurry
     if speed != 1.0:
+        hurry = replace(hurry, greatest_m_s2=hurry.greatest_m_s2 * speed * speed)
         steps_s = np.where(plan.resting, steps_s / min(speed, 1.0), steps_s / speed)
     most_m_s = max(settings.speed_share * plan.peak_m_s, settings.least_m_s) * speed
     t_s = bounded_times(
@@ -73,6 +77,7 @@ def adapt(
         min(scene.hand_speed_m_s, most_m_s),
         plan.turn_rad_s,
         plan.brake,
+        hurry,
     )
     return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, plan.stops)
 

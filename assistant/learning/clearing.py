@@ -111,11 +111,13 @@ def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: floa
     turns : two of Turn
         Of the stretches at either end.
     keep : float
-        Share of the distance from the axis that is kept, against a way that turns evenly; less
-        where it turns far.
+        Share of the distance from the axis that is kept, against a way that turns evenly, or
+        against its nearer end where that is less: no further out than it need be. Less of the
+        former where it turns far.
     """
     begin = _changed(places[0], clear.begin, turns[0].azimuth)
     end = _changed(places[4], clear.end, turns[1].azimuth)
+    nearer = keep * min(clear.begin[1] + begin[1], clear.end[1] + end[1])
     keep = kept_out(keep, abs(clear.end[0] + end[0] - clear.begin[0] - begin[0]))
     directions, needs = [], []
     for k, share in enumerate(SHARES):
@@ -123,7 +125,8 @@ def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: floa
         radius = clear.radius[k] + begin[1] + (end[1] - begin[1]) * clear.made[k]
         out = math.cos(angle), math.sin(angle)
         directions.append(out)
-        needs.append(keep * radius - (out[0] * places[k + 1][0] + out[1] * places[k + 1][1]))
+        far_m = min(keep * radius, nearer)
+        needs.append(far_m - (out[0] * places[k + 1][0] + out[1] * places[k + 1][1]))
     if max(needs) <= 0.0:
         return []
     stiff = [

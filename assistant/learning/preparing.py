@@ -20,8 +20,14 @@ from assistant.learning.amendments import (
 )
 from assistant.learning.holding import held_stretches
 from assistant.learning.rigid import Rows
-from assistant.learning.timing import hand_speeds, resting_steps, rms_jerk, turn_speeds
-from assistant.learning.ways import Ways, prepare
+from assistant.learning.timing import (
+    Hurry,
+    hand_speeds,
+    resting_steps,
+    rms_jerk,
+    turn_speeds,
+)
+from assistant.learning.ways import Span, Ways, prepare
 from assistant.learning.weights import FrameWeights, frame_weights
 from assistant.model.lesson import LearnedPath, Lesson, Station
 from assistant.model.motion import HandStop, Indices
@@ -67,6 +73,8 @@ class AdaptationPlan:
         The hand never turns faster.
     brake : int
         Number of samples over which slowing down is spread.
+    hurry : Hurry
+        Where and how far ways that grew may be hurried.
     stops : tuple of HandStop
         The stations as samples of the path, with the corrections told there.
     """
@@ -89,6 +97,7 @@ class AdaptationPlan:
     peak_m_s: float
     turn_rad_s: float
     brake: int
+    hurry: Hurry
     stops: tuple[HandStop, ...]
 
 
@@ -112,12 +121,16 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
     factors = speed_factors(task, lesson, learned)
     factors = (factors[1:] + factors[:-1]) / 2.0
     steps_s = np.diff(learned.t_s) / factors
+    pushes = _pushes(stations)
     acts, dwell_s = [one.at for one in stations], GeneralizationSettings().dwell_s
+    resting = resting_steps(learned.t_s, acts, dwell_s)
+    told_slower = factors < np.max(factors) - 1e-9
+    least = np.where(resting.astype(bool) | told_slower, 1.0, settings.hurry_share)
     return AdaptationPlan(
         task=task.name,
         settings=settings,
         steps_s=steps_s,
-        resting=resting_steps(learned.t_s, acts, dwell_s),
+        resting=resting,
         gripper_m=commanded(task, lesson, learned),
         primitive_at=learned.primitive_at,
         stations=stations,
@@ -128,7 +141,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
             compose(move, one.hand_in_frame).tolist()
             for move, one in zip(moves, stations, strict=True)
         ],
-        ways=prepare(path, held, settings, _jerk(lesson, learned), _pushes(stations)),
+        ways=prepare(path, held, settings, _jerk(lesson, learned), pushes),
         weights=frame_weights(
             path[:, :3], tuple((one.docking_at, one.at) for one in stations), settings
         ),
@@ -137,6 +150,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
         peak_m_s=float(np.max(hand_speeds(learned.t_s, path) * factors)),
         turn_rad_s=_turn_bound(settings, float(np.max(turn_speeds(learned.t_s, path) * factors))),
         brake=round(settings.brake_s / float(np.median(steps_s))),
+        hurry=_hurry(path, steps_s, held, pushes, least),
         stops=tuple(_stop(one, move) for one, move in zip(stations, told, strict=True)),
     )
 
@@ -171,6 +185,21 @@ def _check_moved(task: Task, path: Array, stations: Sequence[Station]) -> None:
 
 def _turn_bound(settings: BlendingSettings, shown_rad_s: float) -> float:
     return max(settings.turn_rad_s, min(shown_rad_s, settings.most_turn_rad_s))
+
+
+def _hurry(
+    path: Array,
+    steps_s: Array,
+    held: Sequence[Span],
+    pushes: frozenset[int],
+    least: Array,
+) -> Hurry:
+    """Return where ways that grew may be hurried: what is pushed keeps its pace."""
+    ways = [slice(one[1], there[0]) for one, there in pairwise(held)]
+    ways = [way for k, way in enumerate(ways) if k + 1 not in pushes and way.stop - way.start > 2]
+    bends = np.linalg.norm(np.diff(path[:, :3], n=2, axis=0), axis=1)
+    most = float(np.max(bends / (steps_s[1:] * steps_s[:-1]), initial=0.0))
+    return Hurry(tuple(ways), least, max(most, 1e-9))
 
 
 def _jerk(lesson: Lesson, learned: LearnedPath) -> float:

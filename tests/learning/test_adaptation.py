@@ -25,9 +25,12 @@ from assistant.learning.adaptation import (
 )
 from assistant.learning.lesson import learn
 from assistant.learning.timing import hand_speeds, turn_speeds
+from assistant.model.feedback import Feedback
+from assistant.model.motion import HandPath
 from assistant.model.scene import Scene
 from assistant.model.settings import BlendingSettings
 from assistant.model.setup import Place, Setup
+from assistant.model.task import primitives
 from tests.learning.lessons import (
     BLOCK,
     SCENE,
@@ -96,8 +99,42 @@ def test_bounds_on_speed_hold_in_any_setup_at_any_speed(
     fastest = float(np.max(hand_speeds(path.t_s, path.path)))
     assert fastest <= min(most_m_s, plan.peak_m_s * speed) * (1.0 + 1e-9)
     assert np.max(turn_speeds(path.t_s, path.path)) <= plan.turn_rad_s * (1.0 + 1e-9)
-    least_s = plan.steps_s / np.where(plan.resting, min(speed, 1.0), speed)
-    assert np.all(np.diff(path.t_s) >= least_s - 1e-9)
+    own_s = plan.steps_s / np.where(plan.resting, min(speed, 1.0), speed)
+    lasting_s = np.diff(path.t_s)
+    assert np.all(lasting_s >= own_s * plan.hurry.least - 1e-9)
+    for way in plan.hurry.ways:
+        assert np.sum(lasting_s[way]) >= np.sum(own_s[way]) - 1e-9
+    for first, last in plan.ways.held:
+        assert np.all(lasting_s[first:last] >= own_s[first:last] - 1e-9)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_way_that_grew_is_won_back_without_gaining_speed_quicker_than_shown(seed: int) -> None:
+    plan, setup = prepared(), around(np.random.default_rng(seed))
+    unhurried = replace(plan, hurry=replace(plan.hurry, ways=()))
+    path, slow = adapt(plan, SCENE, setup), adapt(unhurried, SCENE, setup)
+    assert path.t_s[-1] <= slow.t_s[-1] + 1e-9
+    allowed = max(plan.hurry.greatest_m_s2, greatest_acceleration(slow))
+    assert greatest_acceleration(path) < 1.1 * allowed
+
+
+def greatest_acceleration(path: HandPath) -> float:
+    even_s = np.arange(0.0, path.t_s[-1], 0.02)
+    places = np.array([np.interp(even_s, path.t_s, column) for column in path.path[:, :3].T])
+    return float(np.max(np.linalg.norm(np.diff(places, n=2, axis=1), axis=0))) / 0.02**2
+
+
+def test_what_is_to_go_slower_than_the_rest_is_not_hurried() -> None:
+    slower = Feedback("speed", "slower", "move up object", factor=0.5)
+    made = learned()
+    assert made.learned is not None
+    assert made.learned.path is not None
+    told = replace(made, learned=replace(made.learned, feedback=(slower,)))
+    plan = plan_adaptation(told)
+    names = [leaf.name for leaf in primitives(told.tree)]
+    inside = made.learned.path.primitive_at[1:] == names.index("move up object")
+    assert np.min(prepared().hurry.least[inside]) < 1.0
+    assert np.all(plan.hurry.least[inside] == 1.0)
 
 
 def test_the_path_is_smooth_where_stretches_join() -> None:

@@ -30,14 +30,14 @@ def jerk(xy: Array) -> float:
     return float(np.sqrt(np.sum(np.diff(xy, n=3, axis=0) ** 2)))
 
 
-def led(azimuth: float, keep: float = 1.0, radius: float = 0.6) -> Array:
+def led(azimuth: float, keep: float = 1.0, radius: float = 0.6, end_m: float = 0.6) -> Array:
     """Return a way from rest to rest whose end is turned about the base, shape (m, 2)."""
     hermite = quintic(SHARE, SAMPLES)
     shown = np.array([radius, 0.0]) + np.linspace(0.0, 1.0, SAMPLES + 1)[:, None] * [0.0, 0.1]
     ready = prepared(shown, SHARE)
     assert ready is not None
     clear, bumps = ready
-    end = [radius * np.cos(azimuth), radius * np.sin(azimuth), 0.0]
+    end = [end_m * np.cos(azimuth), end_m * np.sin(azimuth), 0.0]
     rest = [[0.0, 0.0, 0.0]] * 2
     free = hermite @ np.array([[radius, 0.0, 0.0], *rest, end, *rest])
     places = [[radius, 0.0, 0.0], *free[clear.at].tolist(), end]
@@ -104,6 +104,14 @@ def test_a_way_that_may_come_nearer_has_less_jerk() -> None:
     azimuth = np.deg2rad(200.0)
     rough = [jerk(led(azimuth, keep)) for keep in (1.0, 0.9, 0.8)]
     assert rough[0] > rough[1] > rough[2]
+
+
+@pytest.mark.parametrize("degrees", [60, 90, 120])
+def test_a_way_to_a_nearer_place_is_pressed_no_further_out_than_that(degrees: int) -> None:
+    path = led(np.deg2rad(degrees), 1.0, radius=0.6, end_m=0.4)
+    away = np.hypot(*path.T)
+    assert np.min(away) > 0.97 * 0.4
+    assert np.min(away) < 1.02 * 0.4
 
 
 @given(keep=st.floats(0.3, 1.0), turned=st.floats(0.0, 6.0), more=st.floats(0.0, 1.0))

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.geometry import Array, quat_from_rpy
-from assistant.learning.timing import bounded_times, hand_speeds, rms_jerk, turn_speeds
+from assistant.learning.timing import Hurry, bounded_times, hand_speeds, rms_jerk, turn_speeds
 
 
 def wandering(seed: int) -> Array:
@@ -74,3 +74,38 @@ def test_bounds_hold_on_paths_of_any_length(count: int, brake: int) -> None:
     assert t_s.shape == (count,)
     assert np.max(hand_speeds(t_s, path)) <= 0.01 * (1 + 1e-9)
     assert np.max(turn_speeds(t_s, path)) <= 0.1 * (1 + 1e-9)
+
+
+def hesitating(grown: float) -> Array:
+    """Return a straight way shown in two goes with a halt between, so many times as long."""
+    s = np.linspace(0.0, 1.0, 101)
+    go = s**3 * (10.0 - 15.0 * s + 6.0 * s * s)
+    path = np.zeros((301, 7))
+    path[:, 6] = 1.0
+    path[:, 0] = 0.2 * grown * np.concatenate([go, np.ones(99), 1.0 + go])
+    return path
+
+
+@given(grown=st.floats(0.5, 6.0), least=st.floats(0.3, 1.0))
+@settings(max_examples=25, deadline=None)
+def test_a_way_is_hurried_only_as_far_as_it_grew(grown: float, least: float) -> None:
+    path, steps_s = hesitating(grown), np.full(300, 0.02)
+    greatest = float(np.max(hand_speeds(np.linspace(0.0, 6.0, 301), hesitating(1.0))))
+    hurry = Hurry((slice(50, 250),), np.where(np.arange(300) < 150, least, 1.0), 2.0)
+    t_s = bounded_times(steps_s, path, greatest, 1.0, 20, hurry)
+    slow_s = bounded_times(steps_s, path, greatest, 1.0, 20)
+    assert np.max(hand_speeds(t_s, path)) <= greatest * (1.0 + 1e-9)
+    assert np.sum(np.diff(t_s)[50:250]) >= 4.0 - 1e-9
+    assert np.all(np.diff(t_s) >= least * 0.02 - 1e-12)
+    assert t_s[-1] <= slow_s[-1] + 1e-9
+    if grown <= 1.0:
+        assert np.array_equal(t_s, slow_s)
+
+
+def test_a_halt_on_a_way_that_grew_is_cut_short() -> None:
+    path, steps_s = hesitating(2.0), np.full(300, 0.02)
+    greatest = float(np.max(hand_speeds(np.linspace(0.0, 6.0, 301), hesitating(1.0))))
+    hurry = Hurry((slice(0, 300),), np.full(300, 0.5), 2.0)
+    t_s = bounded_times(steps_s, path, greatest, 1.0, 20, hurry)
+    assert np.min(np.diff(t_s)[120:180]) < 0.0125
+    assert t_s[-1] < bounded_times(steps_s, path, greatest, 1.0, 20)[-1] - 0.8

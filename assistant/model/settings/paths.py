@@ -66,7 +66,7 @@ class BlendingSettings:
     """But no more than this share of the way between two stations."""
     least_radius_m: float = 0.10
     """Paths that come nearer to the base's axis are not turned with the azimuth."""
-    keep_out: float = 0.95
+    keep_out: float = 0.87
     """A way to another azimuth stays so far out, as a share of the distances it leads between."""
     jerk_share: float = 1.05
     """Of the demonstration's jerk: a way that has more is evened out."""
@@ -88,5 +88,7 @@ class BlendingSettings:
     """Of the demonstration's peak speed, which a moved setup never exceeds,"""
     least_m_s: float = 0.02
     """but a hand that hardly moved, or only turned, may go at this to things elsewhere."""
+    hurry_share: float = 0.7
+    """Where a way grew, a step lasts at least this share of its time. See `Hurry`."""
     brake_s: float = 0.4
     """Slowing down and speeding up again spread over so long."""
