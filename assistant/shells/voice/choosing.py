@@ -19,7 +19,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening, Understanding
 from assistant.model.teacher_acts import Deny
 from assistant.shells.voice.deciding import Heard, Reading, decided, is_sure, means
-from assistant.shells.voice.phrasebank import mended, named, near, related
+from assistant.shells.voice.phrasebank import mended, named, near, related, sounding
 from assistant.shells.voice.recognized import Weigher
 from assistant.shells.voice.repairing import repaired, written
 from assistant.shells.voice.sound import RATE_HZ, Samples
@@ -33,6 +33,8 @@ SILENCE = np.zeros(RATE_HZ, dtype=np.float32)
 ALIKE = 8
 ALIKE_TO = 3
 """So many commands that sound alike are weighed, for so many readings."""
+LIKE_HEARD = 0.3
+"""Words less alike to all that was read were not said: no time is spent on weighing them."""
 REPAIRS, REPAIRS_TRIED = 8, 16
 """So many sentences are weighed that a reading nearly is, of so many likeliest ones: what they
 mean takes long to tell."""
@@ -123,7 +125,9 @@ class Chooser:
                 return heard
         known = said.texts[:ALIKE_TO]
         made = tuple(text for one in known for text in self._made(one, said.listening))
-        texts = (*said.texts, *said.phrases, *made, *self._alike(known))
+        texts: Sequence[str] = (*said.texts, *said.phrases, *made, *self._alike(known))
+        if self._language == "english" and not said.free:
+            texts = sounding(texts, said.texts, LIKE_HEARD)
         return self._weighed(said, texts, said.phrases, made if said.free else ())
 
     def _weighed(

@@ -43,6 +43,20 @@ def named(heard: str, things: tuple[str, ...], count: int) -> tuple[str, ...]:
     return tuple(phrases[at] for _, _, at in found)
 
 
+def sounding(texts: Sequence[str], heard: Sequence[str], least: float) -> tuple[str, ...]:
+    """Return those texts that sound like anything that was heard.
+
+    Parameters
+    ----------
+    texts, heard : sequence of str
+    least : float
+        How alike at least, in [0, 1].
+    """
+    sounds = tuple(letters(one) for one in heard)
+    like = Levenshtein.normalized_similarity
+    return tuple(text for text in texts if any(like(letters(text), one) >= least for one in sounds))
+
+
 @cache
 def _names(things: tuple[str, ...]) -> tuple[tuple[str, ...], tuple[str, ...]]:
     told = {

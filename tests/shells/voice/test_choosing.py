@@ -175,6 +175,23 @@ def test_few_of_the_sentences_nearly_read_are_understood(monkeypatch: pytest.Mon
 
 
 @pytest.mark.voice
+def test_what_sounds_like_nothing_that_was_read_is_not_weighed() -> None:
+    class Notes(Weighs):
+        weighed: tuple[str, ...] = ()
+
+        def likelihoods(
+            self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
+        ) -> tuple[float, ...]:
+            self.weighed += tuple(phrases)
+            return super().likelihoods(samples, phrases, loud=loud)
+
+    slow = Notes({}, ("slow her", 0.5))
+    heard(Reads(("slower hair", 1.0)), slow, sound=A_SECOND)
+    assert {"slower", "slow her", "slower hair"} <= set(slow.weighed)
+    assert not {"help", "yes", "undo"} & set(slow.weighed)
+
+
+@pytest.mark.voice
 def test_a_whole_sentence_that_was_read_is_weighed_against_readings_only() -> None:
     class Counts(Weighs):
         asked_about = 0

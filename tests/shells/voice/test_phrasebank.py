@@ -8,7 +8,7 @@ from assistant.language.understanding import understand
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import Undo
 from assistant.shells.voice.deciding import is_unknown
-from assistant.shells.voice.phrasebank import MOST_WORDS, mended, named, near, related
+from assistant.shells.voice.phrasebank import MOST_WORDS, mended, named, near, related, sounding
 
 pytestmark = pytest.mark.voice
 
@@ -55,3 +55,11 @@ def test_little_words_between_two_things_may_be_others() -> None:
     assert related("the block into the lid", things, ("and",)) == ("the block and the lid",)
     assert related("grasp and lift", things, ("on",)) == ()
     assert related("", things, ("on",)) == ()
+
+
+@pytest.mark.voice
+def test_what_sounds_like_anything_heard_stays() -> None:
+    told = ("go lower", "pause", "go slower", "go")
+    assert sounding(told, ("go slower", "paws"), 0.3) == told
+    assert sounding(told, ("go slower",), 0.3) == ("go lower", "go slower", "go")
+    assert sounding(told, told, 1.0) == told
