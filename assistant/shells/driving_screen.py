@@ -12,12 +12,12 @@ from prompt_toolkit.formatted_text import StyleAndTextTuples
 from prompt_toolkit.mouse_events import MouseEvent, MouseEventType
 
 from assistant.dialogue.one_step import ended_at
-from assistant.geometry import Array, compose
+from assistant.geometry import compose
 from assistant.language.speech import in_words
 from assistant.ports import ArmLook
 from assistant.session.equipment import DrivenHand
 from assistant.session.loop import Session
-from assistant.shells.driving_picture import SHUT_M, Sight, around_mm, drawn, marks, seen_mm, sights
+from assistant.shells.driving_picture import Sight, around_mm, drawn, marks, seen_mm, sights
 from assistant.shells.driving_view import (
     above_table,
     end_gap,
@@ -30,7 +30,7 @@ from assistant.shells.driving_view import (
     unplaced,
     way_line,
 )
-from assistant.shells.grip_view import Missed, left_over, missed_line, taken, width_mm
+from assistant.shells.grip_view import Closings, Missed, left_over, missed_line, taken, width_mm
 from assistant.shells.gripping import CHARACTERS, Area
 from assistant.shells.wrapping import columns, wrapped
 
@@ -70,8 +70,7 @@ class Screen:
         self._size, self._rest = (0, 0), 0
         self._sights: tuple[Sight, ...] = ()
         step = str(session.dialogue_view["step_shown"])
-        self._closed: Array | None = None
-        self._stale = False
+        self._closings = Closings()
         self._end = ended_at(session.dialogue.known, step) if step else None
 
     def _fitted(self, look: ArmLook, rest: int) -> None:
@@ -114,6 +113,9 @@ class Screen:
             Whether the mouse holds the hand.
         """
         look = self._session.mover.look
+        watching = self._session.watching
+        samples = watching.samples if watching is not None else []
+        self._closings.see(look, samples, returning=self._hand.state.returning)
         below = [*self._ways(look), *self._state(look, told), *self._warning(dragging=dragging)]
         lines = self._keys()
         if len(lines) + len(below) + LOW + 2 > shutil.get_terminal_size().lines:
@@ -203,29 +205,16 @@ class Screen:
     def _lost(self, look: ArmLook) -> list[str]:
         """Return what to do about things whose places nobody told, and where the hand is."""
         words, tip = self._words, self._hand.tip
-        self._closed = self._where_closed(look)
+        first = self._closings.first
         objects = self._session.dialogue.known.objects or ()
-        told = list(unplaced(objects, look, words, closed=self._closed is not None))
+        told = list(unplaced(objects, look, words, closed=first is not None))
         low = self._hand.state.lowest
         if low is not None and any(one.name not in look.bodies for one in objects):
             told.append(low_line(low, look, tip, words))
-            if self._closed is not None:
-                back = end_gap(look, self._closed, tip)
+            if first is not None:
+                back = end_gap(look, first, tip)
                 told.append(way_line(str(words["to_closed"]), back, words, facing=self.facing))
         return [line for one in told if one for line in wrapped(one, columns(), before="   ")]
-
-    def _where_closed(self, look: ArmLook) -> Array | None:
-        """Return where the hand closed first, in what was not taken back."""
-        if self._hand.state.returning:
-            self._stale = True
-            return None
-        watching = self._session.watching
-        if self._stale and watching is not None:
-            self._stale = False
-            shut = (one.pose for one in watching.samples if (one.gripper_m or 1.0) < SHUT_M)
-            return next(shut, None)
-        shut_now = bool(look.held) or look.gripper_m < SHUT_M
-        return look.hand if self._closed is None and shut_now else self._closed
 
     def _state(self, look: ArmLook, told: str) -> Lines:
         session, words = self._session, self._words
@@ -255,9 +244,9 @@ class Screen:
         return str(words["hand"]).format(mm=round(mm)), told if name else ""
 
     def taken(self, look: ArmLook) -> str | Missed:
-        """Return what the hand holds, or missed."""
-        known = self._session.dialogue.known
-        return taken(known, look, self._session.mover.scene, self._hand.tip)
+        """Return what the hand holds, or missed where it closed."""
+        there = look if self._closings.last is None else replace(look, hand=self._closings.last)
+        return taken(self._session.dialogue.known, there, self._session.mover.scene, self._hand.tip)
 
     def unfinished(self) -> str:
         """Return what seems to be missing before the demonstration ends: what is held, or not."""

@@ -6,7 +6,7 @@ size is, a hand that closes where none of them can be is told so at once.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,7 +17,7 @@ from assistant.dialogue.knowledge import Knowledge
 from assistant.geometry import Array, compose, inverse, transform_points
 from assistant.language.speech import in_words
 from assistant.model.scene import Scene
-from assistant.ports import ArmLook
+from assistant.ports import ArmLook, HandSample
 
 MISSED_MM = 12.0
 """Fingers that are so far above a thing, or beside it, hold nothing of it."""
@@ -41,6 +41,35 @@ class Missed:
     below: float
     beside: float
     tall: float = 0.0
+
+
+class Closings:
+    """Where the hand closed: first in what is shown, and last, which what it holds goes by."""
+
+    def __init__(self) -> None:
+        self.first: Array | None = None
+        self.last: Array | None = None
+        self._stale = False
+
+    def see(self, look: ArmLook, samples: Sequence[HandSample], *, returning: bool) -> None:
+        """Take where the hand is now.
+
+        Parameters
+        ----------
+        look : ArmLook
+        samples : sequence of HandSample
+            Shown so far.
+        returning : bool
+            Whether something is being taken back: then what was shown changes.
+        """
+        shut = bool(look.held) or look.gripper_m < SHUT_M
+        self.last = None if not shut else look.hand if self.last is None else self.last
+        if self._stale and not returning:
+            closed = (one.pose for one in samples if (one.gripper_m or 0.0) < SHUT_M)
+            self.first = next(closed, None)
+        elif self.first is None:
+            self.first = self.last
+        self._stale = returning
 
 
 def taken(known: Knowledge, look: ArmLook, scene: Scene, tip: Array) -> str | Missed:

@@ -13,8 +13,10 @@ import numpy as np
 SIZES = ((0.001, 0.5), (0.002, 1.0), (0.005, 2.0), (0.010, 5.0), (0.020, 10.0))
 """What a tap does, m and degrees, from the finest."""
 USUAL, FINE = 2, 1
-LEAST, MOST, MOST_M = 3, 12, 0.06
+LEAST, MOST, MOST_M = 3, 30, 0.06
 """Who holds a key that repeats faster than the hand goes is not to wait for it afterwards."""
+AT_ONCE_TICKS = 1
+"""What comes so soon behind another tap is typed ahead, or pasted: no key repeats so fast."""
 
 
 class Steps:
@@ -22,7 +24,7 @@ class Steps:
 
     def __init__(self) -> None:
         self.waiting: deque[str] = deque()
-        self._level, self._tick = USUAL, -1
+        self._level, self._tick = USUAL, -2
 
     @property
     def level(self) -> int:
@@ -40,10 +42,11 @@ class Steps:
 
     def take(self, key: str, tick: int) -> None:
         """Take a tap; what is typed or pasted at once all counts."""
-        most = min(max(round(MOST_M / SIZES[self._level][0]), LEAST), MOST)
-        if tick == self._tick or len(self.waiting) < most:
+        step_m = SIZES[self._level][0]
+        most = MOST if self._level <= USUAL else max(round(MOST_M / step_m), LEAST)
+        if tick - self._tick <= AT_ONCE_TICKS or len(self.waiting) < most:
             self.waiting.append(key)
-            self._tick = tick
+        self._tick = tick
 
     def clear(self) -> None:
         """Forget what is still to be gone."""

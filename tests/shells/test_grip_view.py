@@ -13,8 +13,8 @@ from assistant.geometry import compose, inverse
 from assistant.language.hints import page
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.task import TaskObject
-from assistant.ports import ArmLook
-from assistant.shells.grip_view import Missed, left_over, missed_line, taken, width_mm
+from assistant.ports import ArmLook, HandSample
+from assistant.shells.grip_view import Closings, Missed, left_over, missed_line, taken, width_mm
 from sim.driving import TIP
 
 WORDS = page("terminal")["driving"]
@@ -89,3 +89,23 @@ def test_the_words_are_there_in_german() -> None:
     words = page("terminal", "german")["driving"]
     assert "u nimmt" in missed_line(Missed("tea box", 5, 9), words, "german")
     assert "noch in meiner Hand" in left_over("tea box", SMALL, words, "german")
+
+
+def test_what_the_hand_closed_on_goes_with_it_and_a_closing_taken_back_never_was() -> None:
+    closings = Closings()
+    low, high = closed((450.0, 0.0, 260.0)), closed((450.0, 0.0, 400.0))
+    lifted = replace(high, gripper_m=0.08)
+    closings.see(replace(low, gripper_m=0.08), [], returning=False)
+    assert closings.first is None
+    for look in (low, high):
+        closings.see(look, [], returning=False)
+        assert closings.last is low.hand
+        assert closings.first is low.hand
+    closings.see(lifted, [], returning=False)
+    assert closings.last is None
+    assert closings.first is low.hand
+    shown = [HandSample(0.0, high.hand, 0.08), HandSample(0.1, low.hand, 0.0)]
+    for samples, first in ((shown, low.hand), (shown[:1], None)):
+        closings.see(lifted, shown, returning=True)
+        closings.see(lifted, samples, returning=False)
+        assert closings.first is first
