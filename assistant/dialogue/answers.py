@@ -10,6 +10,7 @@ from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.naming import (
     Value,
     alike,
+    is_lone_verb,
     is_no_step,
     is_size,
     name_and_steps,
@@ -52,9 +53,7 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
         case "objects" if state.index:
             return _objects_of(known, state.index, value)
         case "objects":
-            things = things_in(value, known.scene, known.language)
-            things = placed(things, (known.name, known.goal or ""), known.scene, known.language)
-            return Answered(all_understood(replace(known, objects=things)))
+            return _things(known, value)
         case "subtask_count":
             return _count(known, state, value)
         case "subtask_name":
@@ -67,6 +66,17 @@ def answer(known: Knowledge, state: Introducing, value: Value) -> Answered:
             return _body(known, state.thing, value)
         case _:
             return Answered(known, (line("error", "not_an_answer"),))
+
+
+def _things(known: Knowledge, value: Value) -> Answered:
+    """Take the things named; a lone verb is none, told where a step was expected to be asked."""
+    things = things_in(value, known.scene, known.language)
+    phrases = value if isinstance(value, tuple) else (str(value),)
+    verbs = {one: is_lone_verb(one, known.language, ending=bool(things)) for one in phrases}
+    if phrases and all(verbs.values()):
+        return Answered(known, (line("error", "no_thing", names=list(phrases)),))
+    things = placed(things, (known.name, known.goal or ""), known.scene, known.language)
+    return Answered(all_understood(replace(known, objects=things)))
 
 
 def _task_name(known: Knowledge, value: Value) -> Answered:

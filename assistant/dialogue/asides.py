@@ -13,7 +13,7 @@ from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
 from assistant.dialogue.keeping import fresh_wanted, leave_wanted
 from assistant.dialogue.knowledge import Knowledge
-from assistant.dialogue.naming import alike, listed_steps, tidy_name
+from assistant.dialogue.naming import alike, is_lone_verb, listed_steps, tidy_name
 from assistant.dialogue.no_things import no_thing, sized
 from assistant.dialogue.plan_words import (
     added,
@@ -161,7 +161,11 @@ def _early_steps(dialogue: Dialogue, state: Introducing, words: Words) -> Turn |
     root = with_parts(known.root, tuple(Sketch(step) for step in steps))
     more = replace(known, root=root)
     if known.objects is None:
-        more = replace(more, objects=things_in(words.text, known.scene, known.language))
+        things = things_in(words.text, known.scene, known.language)
+        language = known.language
+        named = tuple(one for one in things if not is_lone_verb(one.name, language, ending=True))
+        # Verbs alone tell no thing: then it is still asked which there are.
+        more = replace(more, objects=named if named or not things else None)
     told = line("done", "steps", names=list(steps))
     noted = changed(dialogue, "steps", all_understood(more))
     return first(say(dialogue, told)[1], proceed(noted))

@@ -14,7 +14,7 @@ from assistant.dialogue.effects import Arrange
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.placing import placed, pointed_at
 from assistant.dialogue.spots import offered
-from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready
+from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing, Pending, Ran, Ready
 from assistant.dialogue.turn import Turn, Words, changed, first, line, plain_place, say, then
 from assistant.geometry import pose_to_mm_deg
 from assistant.language.hints import hints, mentions
@@ -38,7 +38,8 @@ def told_beside(dialogue: Dialogue, words: Words) -> Turn | None:
     """Put a thing where a sentence tells by another thing; None where none does."""
     free = without_guess(dialogue)
     asked = isinstance(free.state, Introducing) and free.state.asked == "pose"
-    if not (asked or isinstance(free.state, Ready | Ran)) or free.pending is not None:
+    placing = asked or isinstance(free.state, AwaitingShow | Ready | Ran)
+    if not placing or free.pending is not None:
         return None
     known = free.known
     named = {one.name for one in known.objects or ()}
@@ -56,7 +57,9 @@ def _meant_so(dialogue: Dialogue, found: Relation, *, asked: bool) -> bool:
     """Whether a place is told: after a run, where a thing is tells how the run went."""
     if asked:
         return True
-    return found.posture == "put" or (found.posture == "is" and isinstance(dialogue.state, Ready))
+    return found.posture == "put" or (
+        found.posture == "is" and isinstance(dialogue.state, AwaitingShow | Ready)
+    )
 
 
 def _spoken_of(dialogue: Dialogue) -> str:

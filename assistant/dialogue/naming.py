@@ -6,6 +6,7 @@ import re
 from collections.abc import Sequence
 
 from assistant.language.hints import hints, phrase_pattern
+from assistant.language.phrasebook import phrasebook
 from assistant.language.slips import without_slips
 
 LONGEST_NAME = 8
@@ -128,6 +129,16 @@ def begins_or_ends_with_verb(step: str, language: str) -> bool:
     words = without_slips(step, (), language).lower().split()
     verbs = _verbs(language)
     return bool(words) and (words[0] in verbs or words[-1] in verbs)
+
+
+def is_lone_verb(text: str, language: str, *, ending: bool) -> bool:
+    """Tell a verb alone, by the ending of its language if asked so: "greifen" is no thing.
+
+    A language whose verbs have no ending of their own has nouns that look the same: "clutch".
+    """
+    word = text.lower().strip(QUOTES)
+    ends = word.endswith(phrasebook(language).bends.verbs or "?") if ending else True
+    return word in _verbs(language) and ends
 
 
 def _at_verbs(text: str, room: int, language: str) -> list[str]:

@@ -10,6 +10,8 @@ from assistant.dialogue.naming import alike
 from assistant.dialogue.state import Dialogue, Introducing
 from assistant.dialogue.things import things_in
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.language.actions import called_things
+from assistant.language.asides import after
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.task import TaskObject
@@ -30,7 +32,7 @@ def no_thing(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()
 def sized(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
     """Tell how big a thing is taken to be, for who asks; None for other talk."""
     bodies, text = dialogue.known.scene.bodies, words.text.lower()
-    named = [name for name in bodies if mentions(text, (name.lower(),))]
+    named = [name for name in bodies if mentions(text, called_things(name, dialogue.language))]
     if len(named) != 1 or not mentions(text, hints("asks_size", dialogue.language)):
         return None
     cm = [round(side / 10.0, 1) for side in bodies[named[0]].size_mm]
@@ -41,8 +43,10 @@ def _others(dialogue: Dialogue, words: Words) -> Turn | None:
     """Take the things that are told instead, where they are all there."""
     known, text = dialogue.known, words.text.lower()
     instead = mentions(text, hints("things_instead", dialogue.language))
-    named = [name for name in known.scene.bodies if mentions(text, (name,))]
-    things = things_in(tuple(named), known.scene, known.language)
+    bodies, language = known.scene.bodies, known.language
+    named = [name for name in bodies if mentions(text, called_things(name, language))]
+    listed = after(words.text, "things_are", language)
+    things = things_in(tuple(named) or listed, known.scene, language)
     if not instead or not things or any(character.isdigit() for character in text):
         return None
     return _with(dialogue, things)

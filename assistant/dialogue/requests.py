@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 
+from assistant.dialogue.advice import followed
 from assistant.dialogue.asking import ask, begin_run, tell
 from assistant.dialogue.beside import rearranged, restored, told_beside
 from assistant.dialogue.doubting import without_guess
@@ -217,6 +218,7 @@ def _exchanged(known: Knowledge, one: str, other: str) -> dict[str, Place]:
 
 
 _AT_REST = (
+    followed,
     numbered,
     _rewind,
     restored,

@@ -12,6 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Literal
 
+from assistant.dialogue.advice import CLEAR, concerned, moved, names_thing, place_of
 from assistant.learning.adaptation import AdaptationPlan, adapt
 from assistant.model.motion import Refusal
 from assistant.model.scene import Scene
@@ -39,7 +40,7 @@ FIRST: Mapping[str, tuple[Help, ...]] = {
     "higher": ("higher",),
 }
 """What is tried first, by what the planner said."""
-NOTHING, CLEAR, START = "nothing", "clear", "start"
+NOTHING = "nothing"
 
 
 def advised(
@@ -76,42 +77,15 @@ def advised(
     if not thing or not refusal.hint:
         return refusal
     partly: Advice | None = None
-    for how, by in _tried(refusal, _place(setup, thing)):
+    for how, by in _tried(refusal, place_of(setup, thing)):
         left = outcome(scene, moved(setup, thing, how, by))
         if left is None:
             return replace(refusal, hint=how, by=by)
         if partly is None and not _about(left, (thing,)):
             partly = how, by
-    hint, by = partly or (NOTHING, 0.0)
+    overlap = refusal.reason == "setup" and refusal.what in setup.places
+    hint, by = partly or (CLEAR if overlap else NOTHING, 0.0)
     return replace(refusal, hint=hint, by=by)
-
-
-def concerned(refusal: Refusal, setup: Setup) -> str:
-    """Return the thing whose place fails, or `start`; empty if it is neither."""
-    named = [name for name in (START, *setup.places) if _names(refusal.where, name)]
-    return max(named, key=len, default="")
-
-
-def _place(setup: Setup, thing: str) -> Place:
-    return setup.places.get(thing, setup.robot_start)
-
-
-def moved(setup: Setup, thing: str, how: str, by: float) -> Setup:
-    """Return a setup with a thing put elsewhere, as the robot sees it, by so many mm or deg."""
-    place = _place(setup, thing)
-    (x, y, z), (roll, pitch, yaw) = place.xyz_mm, place.rpy_deg
-    match how:
-        case "closer" | "farther":
-            share = 1.0 + (by if how == "farther" else -by) / math.hypot(x, y)
-            new = replace(place, xyz_mm=(x * share, y * share, z))
-        case "higher":
-            new = replace(place, xyz_mm=(x, y, z + by))
-        case _:
-            new_yaw = yaw + (by if how == "turn_left" else -by)
-            new = replace(place, rpy_deg=(roll, pitch, math.remainder(new_yaw, 360.0)))
-    if thing not in setup.places:
-        return replace(setup, robot_start=new)
-    return replace(setup, places={**setup.places, thing: new})
 
 
 def without(
@@ -137,9 +111,8 @@ def _tried(refusal: Refusal, place: Place) -> Iterator[Advice]:
 
 def _about(refusal: Refusal, things: Sequence[str]) -> bool:
     return any(
-        thing and (_names(refusal.where, thing) or refusal.what == thing) for thing in things
+        thing and (names_thing(refusal.where, thing) or refusal.what == thing) for thing in things
     )
 
 
-def _names(where: str, thing: str) -> bool:
-    return where == thing or where.endswith(f" {thing}")
+__all__ = ["NOTHING", "advised", "concerned", "moved", "without"]
