@@ -19,7 +19,11 @@ from tests.dialogue.teaching import Lessons
             "split move up object into raise it and hold it up",
             ["raise it", "hold it up"],
         ),
-        ("english", "please divide move up object into lift it, then hold it", ["lift it", "hold it"]),
+        (
+            "english",
+            "please divide move up object into lift it, then hold it",
+            ["lift it", "hold it"],
+        ),
         ("german", "teile move up object in hebe es und halte es", ["hebe es", "halte es"]),
     ],
 )
