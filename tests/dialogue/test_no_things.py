@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from assistant.dialogue.machine import begin
 from assistant.model import teacher_acts as acts
 from tests.dialogue.teaching import Lessons
 
@@ -43,3 +44,41 @@ def test_how_big_a_thing_is_taken_to_be_is_told() -> None:
     told = teacher.lines[0].slots
     assert [10.0 * float(told[axis]) for axis in "xyz"] == pytest.approx(size_mm)
     assert "told.size" not in Lessons().ready().hear(acts.Unknown(), text="how big?").topics
+
+
+def german() -> Lessons:
+    return Lessons(begin("german")).open().tell("Stapeln").tell("der Block liegt auf dem Ziel")
+
+
+@pytest.mark.parametrize("verbs", [("Greifen",), ("hinfahren",), ("greifen", "ablegen")])
+def test_verbs_alone_are_no_things(verbs: tuple[str, ...]) -> None:
+    teacher = german().tell(verbs)
+    assert teacher.asked == "objects"
+    assert teacher.dialogue.known.objects is None
+
+
+@pytest.mark.parametrize("thing", ["Reifen", "Faden", "Haken"])
+def test_a_thing_that_ends_as_verbs_do_is_one(thing: str) -> None:
+    teacher = german().tell((thing,))
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == [thing]
+
+
+@pytest.mark.parametrize(
+    "text", ["nein, die Dinge sind der Block und das Ziel", "ich meinte den Block und das Ziel"]
+)
+def test_the_things_told_instead_are_found_by_the_words_of_the_language(text: str) -> None:
+    teacher = german().tell(("Deckel",)).hear(acts.Inform("Block"), text=text)
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["block", "target"]
+
+
+def test_new_things_are_told_instead_as_well() -> None:
+    text = "nein, die Dinge sind eine Tasse und ein Teller"
+    teacher = german().tell(("Deckel",)).hear(acts.Inform("Teller"), text=text)
+    assert [one.name for one in teacher.dialogue.known.objects or ()] == ["Tasse", "Teller"]
+
+
+def test_steps_told_too_early_leave_the_things_to_be_asked() -> None:
+    steps = "hinfahren, greifen, ablegen"
+    teacher = german().hear(acts.Inform(tuple(steps.split(", "))), text=steps)
+    assert teacher.asked == "objects"
+    assert [part.name for part in teacher.dialogue.known.root.parts] == steps.split(", ")
