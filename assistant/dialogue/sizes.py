@@ -118,6 +118,11 @@ def _things_with_sizes(dialogue: Dialogue, text: str) -> Turn | None:
     things = placed(_named(plain, dialogue), (plain,), known.scene, language)
     if not things:
         return None
+    if len(things) == 1 and mentions(text, hints("standing", language)):
+        # "The jar is 6 cm tall" names one thing of those that are asked for.
+        told = _with_size(known, things[0].name, text)
+        noted = changed(dialogue, "body", told)
+        return tell(noted, size_line(told, things[0].name)) if told != known else None
     sized = all_understood(replace(known, objects=things))
     for thing, clause in _clauses(text, things):
         sized = _with_size(sized, thing.name, clause)

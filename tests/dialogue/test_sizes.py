@@ -76,3 +76,10 @@ def test_the_plan_is_read_back_with_the_sizes_told() -> None:
     # What it is carried to is where it is put down, though the last step does not name it.
     roles = {one.name: one.role for one in teacher.dialogue.known.objects or ()}
     assert roles == {"tea box": "object", "book": "target"}
+
+
+def test_the_size_of_one_thing_is_no_list_of_all() -> None:
+    teacher = Lessons().open().tell("tea box").tell("the tea box is on the book")
+    teacher.hear(acts.Unknown(), text="the tea box is 4 cm wide and 6 high")
+    assert teacher.topics == ["told.size", "ask.objects"]
+    assert teacher.dialogue.known.objects is None
