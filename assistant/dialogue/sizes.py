@@ -60,7 +60,8 @@ def _described(dialogue: Dialogue, text: str) -> bool:
     told = mentions(text, hints("size_words", language))
     if isinstance(state, Introducing) and state.asked != "goal":
         told = told or bool(matter(text, "shapes", language))
-    return told and read_action(text, (), language).action is None
+    plain = without_sizes(text, language)
+    return told and read_action(plain, (), language).action is None
 
 
 def size_line(known: Knowledge, thing: str) -> RobotAct:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from dataclasses import replace
 
 from assistant.dialogue import grouping
 from assistant.dialogue.finding import find
 from assistant.dialogue.naming import number_of, steps_in, tidy
+from assistant.dialogue.referring import with_names
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.sketch import at
 from assistant.dialogue.state import Dialogue, Introducing
@@ -29,17 +31,22 @@ def split_into(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
         words.text,
         re.IGNORECASE,
     )
-    index = find(dialogue.known, tidy(told.group(1), dialogue.language)) if told else None
+    index = find(dialogue.known, _called(dialogue, told.group(1))) if told else None
     if told is None or not index or at(dialogue.known.root, index).parts:
         return None
     parts = steps_in(told.group(2), FEWEST, dialogue.language)
     if len(parts) < FEWEST or number_of(parts[0], dialogue.language) is not None:
         return None
     opened, effects = grouping.split(dialogue, at(dialogue.known.root, index).name)
-    state = opened.state
-    if not isinstance(state, Introducing) or state.asked != "subtask_name":
+    if not isinstance(opened.state, Introducing):
         return opened, effects
-    return first(effects[:1], in_state(opened, acts.Inform(parts), words))
+    naming = replace(opened, state=Introducing("subtask_name", (*index, 1)))
+    return first(effects[:1], in_state(naming, acts.Inform(parts), words))
+
+
+def _called(dialogue: Dialogue, text: str) -> str:
+    """Return the name of the step a text calls by name or number."""
+    return tidy(with_names(dialogue, text), dialogue.language)
 
 
 def _any(part: str, dialogue: Dialogue) -> str:
