@@ -151,7 +151,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("tables", nargs="*", choices=[*TABLES, []], help="all if none is named")
     parser.add_argument("--group", choices=("tuned", "reported"), default="reported")
-    parser.add_argument("--count", type=int, default=60, help="sentences")
+    parser.add_argument("--count", type=int, default=180, help="sentences")
     parser.add_argument("--words", type=Path, help="a folder of words recorded alone")
     parser.add_argument("--human", type=Path, help="a folder of recorded, unrelated speech")
     parser.add_argument("--kept", type=Path, default=KEPT, help="where sound and readings stay")

@@ -145,7 +145,7 @@ def in_rooms(
     rng = np.random.default_rng(seed)
     clip = placed(spoken(speaker, text, folder), rng)
     yield "clean", clip
-    kind = NOISES[group][int(rng.integers(2))]
+    kind = NOISES[group][int(rng.integers(len(NOISES[group])))]
     for snr_db in (20, 10):
         yield f"{snr_db} dB {kind}", noisy(clip, noise(kind, len(clip), rng, folder), snr_db)
 

