@@ -21,8 +21,9 @@ def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[Ta
 
     "the cup should be on the tray" names a cup and a tray.
     """
-    phrases = value if isinstance(value, tuple) else _things(str(value), language)
-    told = [part for phrase in phrases for part in _parted(phrase, scene, language)]
+    if not isinstance(value, tuple):
+        return _in_sentences(str(value), scene, language)
+    told = [part for phrase in value for part in _parted(phrase, scene, language)]
     # A size such as "8 cm wide" is no thing.
     parted = [part for part in told if not re.match(r"\W*\d+\s*(?:mm|cm|m|inch)?\b", part)]
     barely = [bare(phrase, language) for phrase in parted]
@@ -30,6 +31,18 @@ def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[Ta
     no_things: list[str] = hints("no_things", language)
     unique = dict.fromkeys(name for name in names if name and not alike(name, no_things))
     return tuple(TaskObject(name, role(name, scene, language)) for name in unique)
+
+
+def _in_sentences(text: str, scene: Scene, language: str) -> tuple[TaskObject, ...]:
+    """Return the things of a text; "a can of beans. The can goes there" names one, twice."""
+    found: list[TaskObject] = []
+    for sentence in re.split(r"[.!?](?:\s+|$)", text):
+        there = [set(one.name.split()) for one in found]
+        for one in things_in(_things(sentence, language), scene, language):
+            again = any(set(one.name.split()) <= words for words in there)
+            if one not in found and (one.name in scene.bodies or not again):
+                found.append(one)
+    return tuple(found)
 
 
 def thing_names(scene: Scene, setup: Setup) -> list[str]:
@@ -143,9 +156,9 @@ def _any(part: str, language: str) -> str:
     return "|".join(map(re.escape, sorted(hints(part, language), key=len, reverse=True)))
 
 
-def _things(text: str, language: str) -> list[str]:
+def _things(text: str, language: str) -> tuple[str, ...]:
     between = "|".join(rf"\b{re.escape(one)}\b" for one in hints("between_things", language))
-    return [piece for piece in re.split(rf",|;|{between}", text) if piece.strip()]
+    return tuple(piece for piece in re.split(rf",|;|{between}", text) if piece.strip())
 
 
 def bare(phrase: str, language: str = "english") -> str:

@@ -30,6 +30,9 @@ def called(text: str, scene: Scene = STACK, language: str = "english") -> list[s
         # Which of them is not told: it is another thing.
         ("a block", ["block"]),
         ("the cups", ["cups"]),
+        # A full stop ends a thing, as a comma does; what is named again is the same.
+        ("no. a can and a tray", ["can", "tray"]),
+        ("a can of beans and a tray. the can goes on the tray", ["can of beans", "tray"]),
     ],
 )
 def test_things_are_called_in_part_and_together(text: str, names: list[str]) -> None:
