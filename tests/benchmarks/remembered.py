@@ -14,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
+from assistant.shells.voice.recognized import Recognized, Recognizer, Rereader, Weigher
 from assistant.shells.voice.sound import Samples
 
 
@@ -49,6 +49,19 @@ class Remembered:
             self._keep(key, readings, time.process_time() - began_s)
         readings, took_s = self._known[key]
         self.took_s.append(took_s)
+        return readings
+
+    def reread(self, samples: Samples) -> tuple[Recognized, ...]:
+        """Return what else may have been read, made now or earlier; none where it cannot tell."""
+        if not isinstance(self._recognizer, Rereader):
+            return ()
+        key = _key(samples, ("reread",))
+        if key not in self._known:
+            began_s = time.process_time()
+            readings = self._recognizer.reread(samples)
+            self._keep(key, readings, time.process_time() - began_s)
+        readings, took_s = self._known[key]
+        self.took_s[-1] += took_s
         return readings
 
     def likelihoods(

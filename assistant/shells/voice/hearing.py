@@ -7,7 +7,7 @@ tell how well given words explain the sound, all that may have been said is weig
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -34,7 +34,7 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.recognized import Recognized, Recognizer, Weigher
+from assistant.shells.voice.recognized import Recognized, Recognizer, Rereader, Weigher
 from assistant.shells.voice.repairing import written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
@@ -43,6 +43,8 @@ QUICK = 0.5
 NEAR = 0.35
 MARGIN = 0.08
 SHORTEST_S = 1.0
+READ_AGAIN = 2
+"""So many readings of the quick recognizer may second what is doubted."""
 
 SINGLE_WORDS = (
     "yes", "no", "stop", "left", "right", "up", "down", "forward", "backward", "go", "again",
@@ -107,7 +109,30 @@ class Hearing:
                 return as_heard(read[0], 1.0)
             readings += read
         said = Said(samples, near_by.speech_s, readings, phrases, listening, near_by.clear_db)
-        return self._settled(said)
+        return self._seconded(said, self._settled(said))
+
+    def _seconded(self, said: Said, heard: Heard) -> Heard:
+        """Return what is doubted as sure, if another recognizer reads it too and nothing else.
+
+        In a loud room no words explain the sound well; but noise seldom makes two models, of
+        which neither knows the other, read the same meaning.
+        """
+        doubted = heard.sure < 1.0 and not is_unknown(heard.understanding)
+        if not (doubted and said.loud) or said.free:
+            return heard
+        last = said.readings[-1].recognizer
+        read = {one.acts for one in said.readings if one.commands and one.recognizer == last}
+        again = [one for one in self._reread(said) if one.commands and one.acts in read]
+        if {one.acts for one in again} != {heard.understanding.acts}:
+            return heard
+        return as_heard(again[0], 1.0)
+
+    def _reread(self, said: Said) -> Iterator[Reading]:
+        """Yield the likeliest readings of those recognizers that can tell more than one."""
+        for other in self._recognizers[:-1]:
+            found = other.reread(said.samples) if isinstance(other, Rereader) else ()
+            for one in found[:READ_AGAIN]:
+                yield self._read(one, 1.0, other.name, said.listening)
 
     def _settled(self, said: Said) -> Heard:
         """Return what all readings come to."""

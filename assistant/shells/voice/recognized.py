@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -44,6 +44,29 @@ class Weigher(Protocol):
     ) -> tuple[float, ...]:
         """Return a natural logarithm for each phrase; `loud` as where it was recognized."""
         ...
+
+
+@runtime_checkable
+class Rereader(Protocol):
+    """A recognizer that can tell what else it may have read."""
+
+    def reread(self, samples: Samples) -> tuple[Recognized, ...]:
+        """Return the likeliest few readings, which takes longer than `recognize`."""
+        ...
+
+
+def merged(readings: Iterable[tuple[str, float]]) -> tuple[Recognized, ...]:
+    """Return readings of the same words as one, the likeliest first; none of no words.
+
+    Parameters
+    ----------
+    readings : iterable of words and how likely they are
+    """
+    odds: dict[str, float] = {}
+    for words, likely in readings:
+        odds[words] = odds.get(words, 0.0) + likely
+    ranked = sorted(odds.items(), key=lambda item: -item[1])
+    return tuple(Recognized(words, min(sure, 1.0)) for words, sure in ranked if words)
 
 
 def plain_words(text: str) -> str:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from assistant.errors import BadInput
-from assistant.shells.voice.recognized import Recognized, plain_words
+from assistant.shells.voice.recognized import Recognized, merged, plain_words
 from assistant.shells.voice.sound import Samples
 
 READINGS, LOUD_READINGS = 5, 10
@@ -81,11 +81,7 @@ class Whisper:
             suppress_tokens=self._unwritten,
         )
         read = (plain_words(self._tokens.decode(ids)) for ids in told.sequences_ids)
-        odds: dict[str, float] = {}
-        for words, score in zip(read, told.scores, strict=True):
-            odds[words] = odds.get(words, 0.0) + exp(score)
-        ranked = sorted(odds.items(), key=lambda item: -item[1])
-        return tuple(Recognized(words, min(sure, 1.0)) for words, sure in ranked if words)
+        return merged((words, exp(score)) for words, score in zip(read, told.scores, strict=True))
 
     def likelihoods(
         self, samples: Samples, phrases: Sequence[str], *, loud: bool = False

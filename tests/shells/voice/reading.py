@@ -40,6 +40,13 @@ class Reads:
         return self.readings
 
 
+class Rereads(Reads):
+    """A recognizer that tells what else it may have read."""
+
+    def reread(self, samples: Samples) -> tuple[Recognized, ...]:
+        return self.readings
+
+
 def heard(
     quick: Reads, slow: Reads, listening: Listening = PRACTICE, sound: Samples = IN_SILENCE
 ) -> Heard:

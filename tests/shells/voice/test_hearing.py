@@ -26,6 +26,8 @@ from tests.shells.voice.reading import (
     NAMING,
     PRACTICE,
     Reads,
+    Rereads,
+    Weighs,
     acted_on,
     heard,
 )
@@ -157,3 +159,40 @@ def test_sentences_are_told_to_the_recognizer_where_commands_are_given() -> None
     assert set(SENTENCES) <= set(hot_words(PRACTICE, ()))
     assert not set(SENTENCES) & set(hot_words(NAMING, ()))
     assert not set(SENTENCES) & set(hot_words(PRACTICE, (), "german"))
+
+
+LOUD_ROOM = A_SECOND + 0.05 * np.random.default_rng(1).standard_normal(len(A_SECOND)).astype(
+    np.float32
+)
+
+
+@pytest.mark.voice
+@pytest.mark.parametrize(
+    ("again", "acts"),
+    [
+        (("move left", "note left"), (Translate("left"),)),
+        (("mow the lawn", "go left"), (Translate("left"),)),
+        (("mow the lawn", "note left"), ()),
+        # Where both read either of two commands, it is asked which.
+        (("go left", "go right"), ()),
+        (("mow the lawn", "note left", "go left"), ()),
+    ],
+)
+def test_in_a_loud_room_what_two_recognizers_read_is_no_longer_doubted(
+    again: Sequence[str], acts: Sequence[TeacherAct]
+) -> None:
+    likely = {"go left": -9.0, "go right": -12.0}
+    slow = Weighs(likely, ("go left", 0.5), ("go right", 0.2))
+    one = heard(Reads((again[0], 1.0)), slow, sound=LOUD_ROOM)
+    assert one.understanding.acts == (Translate("left"),)
+    assert acted_on(one) == ()
+    quick = Rereads(*((text, 0.3) for text in again))
+    assert acted_on(heard(quick, slow, sound=LOUD_ROOM)) == acts
+
+
+@pytest.mark.voice
+def test_in_a_quiet_room_what_is_doubted_stays_so() -> None:
+    slow = Weighs({"go left": -9.0}, ("go left", 0.5))
+    one = heard(Rereads(("go left", 0.5)), slow, sound=A_SECOND)
+    loud = heard(Rereads(("go left", 0.5)), slow, sound=LOUD_ROOM)
+    assert (one.sure < 1.0, loud.sure) == (True, 1.0)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from assistant.shells.voice.moonshine import (
+    BEAM,
     TOKENS_PER_S,
     Moonshine,
     packaged_moonshine,
@@ -34,3 +35,20 @@ def test_what_was_said_is_read_and_noise_ends(tmp_path: Path) -> None:
     noise = 0.3 * np.random.default_rng(1).standard_normal(RATE_HZ).astype(np.float32)
     told = moonshine.recognize(noise)
     assert sum(len(one.text.split()) for one in told) <= TOKENS_PER_S + 2
+
+
+@pytest.mark.voice
+def test_what_else_may_have_been_read_comes_behind_what_was(tmp_path: Path) -> None:
+    folder = packaged_moonshine()
+    assert folder is not None
+    moonshine = Moonshine(folder)
+    path = tmp_path / "said.wav"
+    Mouth(Voice("flite", "slt")).write("go slower", path)
+    said = read_sound(path).samples
+    noise = 0.03 * np.random.default_rng(2).standard_normal(len(said)).astype(np.float32)
+    told = moonshine.reread(said + noise)
+    assert 1 < len(told) <= BEAM
+    assert len({one.text for one in told}) == len(told)
+    assert sorted((one.sure for one in told), reverse=True) == [one.sure for one in told]
+    assert sum(one.sure for one in told) <= 1.0
+    assert moonshine.recognize(said + noise)[0].text in {one.text for one in told}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from assistant.shells.voice.recognized import plain_words
+from assistant.shells.voice.recognized import Recognized, merged, plain_words
 
 
 @pytest.mark.parametrize(
@@ -22,3 +22,8 @@ from assistant.shells.voice.recognized import plain_words
 )
 def test_words_are_plain(written: str, words: str) -> None:
     assert plain_words(written) == words
+
+
+def test_readings_of_the_same_words_are_one() -> None:
+    told = merged([("go", 0.2), ("no", 0.3), ("go", 0.2), ("", 0.9), ("stop", 0.9), ("stop", 0.9)])
+    assert told == (Recognized("stop", 1.0), Recognized("go", 0.4), Recognized("no", 0.3))
