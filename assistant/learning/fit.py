@@ -12,7 +12,14 @@ import numpy as np
 
 from assistant.geometry import Array, rotate_vector
 from assistant.learning.candidates import Evidence
-from assistant.learning.handling import goals, handled, held_before, otherwise, reaching
+from assistant.learning.handling import (
+    carrying,
+    goals,
+    handled,
+    held_before,
+    otherwise,
+    reaching,
+)
 from assistant.learning.stretches import Stretches
 from assistant.model.demonstration import Demonstration
 from assistant.model.directions import WAYS
@@ -35,7 +42,7 @@ def fits(
     seen = demonstration.recording.gripper_m is not None
     told = frozenset(leaf.action.way for leaf in leaves if leaf.action.verb == "hand")
     reach, ends = reaching(leaves), goals(leaves, task)
-    holding = {} if told or not seen else held_before(leaves, task)
+    holding = {} if not seen else carrying(leaves, task) if told else held_before(leaves, task)
     alike = {
         known.name: [places[one.name] for one in task.objects if _rival(known, one, places)]
         for known in task.objects
@@ -129,10 +136,12 @@ def _character(
     axis = WAYS.get(leaf.action.way)
     # One step goes one way: what wanders or comes back is two.
     still -= given.straight * between.longer
+    # Who is said to go some way, or to a thing, goes somewhere; taking the thing may be all that
+    # is left of it, where nobody sees the hand.
+    if axis is not None or seen:
+        still -= (given.idle - given.still) * np.exp(-share / 0.03)
     if axis is None:
         return np.asarray(still)
-    # Who is said to go some way goes somewhere.
-    still -= (given.idle - given.still) * np.exp(-share / 0.03)
     along = between.ways @ np.array(axis) / (far + 0.03 * between.extent_m)
     if ends_there:
         # "Down to the target" says where the way ends: it may come from the side.

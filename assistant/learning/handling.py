@@ -142,6 +142,26 @@ def held_before(leaves: Sequence[Primitive], task: Task) -> dict[str, bool]:
     return found
 
 
+def carrying(leaves: Sequence[Primitive], task: Task) -> dict[str, bool]:
+    """Return the primitives that bring what the hand was told to take to a target: it is closed.
+
+    Parameters
+    ----------
+    leaves : sequence of Primitive
+    task : Task
+    """
+    found: dict[str, bool] = {}
+    taken = False
+    for leaf in leaves:
+        known = task.object(leaf.action.object or "")
+        going = leaf.action.verb == "move" and leaf.action.way in _GOING
+        if taken and going and known is not None and known.role == "target":
+            found[leaf.name] = True
+        if leaf.action.verb == "hand":
+            taken = leaf.action.way == "close" and bool(leaf.action.object)
+    return found
+
+
 def goals(leaves: Sequence[Primitive], task: Task) -> frozenset[str]:
     """Return the primitives about where something is brought: a target, or what it is put on."""
     found, held = set(), ""

@@ -7,7 +7,15 @@ import pytest
 
 from assistant.geometry import Array
 from assistant.learning.candidates import gather
-from assistant.learning.handling import acted, goals, handled, held_before, reaching, untold
+from assistant.learning.handling import (
+    acted,
+    carrying,
+    goals,
+    handled,
+    held_before,
+    reaching,
+    untold,
+)
 from assistant.learning.smoothing import smooth
 from assistant.learning.stretches import Stretches, stretches
 from assistant.model.demonstration import Demonstration, Recording
@@ -124,3 +132,10 @@ def test_what_a_thing_is_put_on_is_where_its_way_ends_whatever_its_role() -> Non
     assert goals((take, onto, CARRY), given) == {"stack", "carry"}
     assert goals((take, DROP, onto), given) == {"drop"}
     assert goals((TAKE, LIFT, LOWER), given) == set()
+
+
+def test_what_is_carried_to_a_target_is_in_the_hand_where_the_hand_was_told_to_take_it() -> None:
+    leaves = (REACH, TAKE, LIFT, CARRY, DROP, LEAVE)
+    assert carrying(leaves, task(*leaves)) == {CARRY.name: True}
+    assert carrying((REACH, LIFT, CARRY), task(REACH, LIFT, CARRY)) == {}
+    assert carrying((TAKE, DROP, CARRY), task(TAKE, DROP, CARRY)) == {}

@@ -143,6 +143,20 @@ def test_steps_told_coarsely_are_not_taken_apart() -> None:
     assert f1(counts) > 0.85
 
 
+@pytest.mark.parametrize("seed", [300_003, 300_013])
+def test_letting_go_untold_at_the_end_is_asked_about_where_it_was(seed: int) -> None:
+    """The rest after it was taken for the way to the target, and all of the way for the step."""
+    shown = generator_a.generate(seed, "fluent")
+    told = tuple(leaf for leaf in primitives(shown.task.tree) if leaf.name != shown.names[-1])
+    task = replace(shown.task, tree=replace(shown.task.tree, parts=told))
+    found = segment(shown.demonstration, task)
+    asked = [one.facts for one in found.questions if one.reason == "never_introduced"]
+    assert shown.names[-1].startswith("place")
+    assert [float(str(one["from_s"])) for one in asked] == pytest.approx(
+        [shown.cuts_s[-1]], abs=0.3
+    )
+
+
 def test_a_step_never_introduced_is_named() -> None:
     shown = generator_a.generate(70_001)
     leaves = [x for x in primitives(shown.task.tree) if x.action.verb != "hand"]
