@@ -12,6 +12,7 @@ from assistant.dialogue.spots import spot
 from assistant.dialogue.state import Dialogue, Ready
 from assistant.dialogue.turn import Turn, Words
 from assistant.language.hints import hints, mentions
+from assistant.model.bearing import stands
 from assistant.model.motion import Refusal
 from assistant.model.setup import Place, Setup
 
@@ -46,7 +47,13 @@ def _followed(known: Knowledge, refusal: Refusal) -> Setup | None:
     """Return the setup that a refusal advised; None where it advised none that can be told."""
     setup = known.setup
     if refusal.hint in MOVES and refusal.by:
-        return moved(setup, concerned(refusal, setup), refusal.hint, refusal.by)
+        thing = concerned(refusal, setup)
+        after = moved(setup, thing, refusal.hint, refusal.by)
+        # What nothing known would carry up there falls: what it stands on has to be told.
+        falls = (
+            refusal.hint == "higher" and thing != START and not stands(known.scene, after, thing)
+        )
+        return None if falls else after
     if refusal.hint != CLEAR:
         return None
     for name in (refusal.what, concerned(refusal, setup)):

@@ -14,6 +14,7 @@ from typing import Literal
 
 from assistant.dialogue.advice import CLEAR, concerned, moved, names_thing, place_of
 from assistant.learning.adaptation import AdaptationPlan, adapt
+from assistant.model.bearing import lifts_mm
 from assistant.model.motion import Refusal
 from assistant.model.scene import Scene
 from assistant.model.setup import Place, Setup
@@ -77,7 +78,7 @@ def advised(
     if not thing or not refusal.hint:
         return refusal
     partly: Advice | None = None
-    for how, by in _tried(refusal, place_of(setup, thing)):
+    for how, by in _tried(refusal, place_of(setup, thing), lifts_mm(scene, setup, thing)):
         left = outcome(scene, moved(setup, thing, how, by))
         if left is None:
             return replace(refusal, hint=how, by=by)
@@ -100,12 +101,14 @@ def without(
     return (replace(scene, obstacles=obstacles), setup) if obstacles != scene.obstacles else None
 
 
-def _tried(refusal: Refusal, place: Place) -> Iterator[Advice]:
+def _tried(refusal: Refusal, place: Place, lifts: Sequence[float]) -> Iterator[Advice]:
     first = FIRST.get(refusal.hint, ())
     reach_mm = math.hypot(*place.xyz_mm[:2])
     for ways in (first, tuple(how for how in AMOUNTS if how not in (*first, "higher"))):
         # Ways that are as good as one another are tried together, the least change first.
         tried = sorted((by, how) for how in ways for by in AMOUNTS[how])
+        # Where something there would carry it, just so high: it neither floats nor falls.
+        tried = [(by, "higher") for by in lifts if "higher" in ways] + tried
         yield from ((how, by) for by, how in tried if how != "closer" or by < reach_mm)
 
 

@@ -10,15 +10,24 @@ from assistant.dialogue import events as ev
 from assistant.dialogue.spots import spot
 from assistant.model import teacher_acts as acts
 from assistant.model.motion import Refusal
-from assistant.model.scene import Obstacle
+from assistant.model.scene import Body, Obstacle
+from assistant.model.setup import Place
 from tests.dialogue.teaching import Lessons
 
 TABLE = Obstacle("table", (1800.0, 1800.0, 20.0), (0.0, 0.0, 220.0))
 
 
-def refused(refusal: Refusal) -> Lessons:
+def refused(refusal: Refusal, base: Place | None = None) -> Lessons:
     teacher = Lessons().ready()
     known = teacher.dialogue.known
+    if base is not None:
+        places = {**known.setup.places, "block": base}
+        bodies = {**known.scene.bodies, "block": Body("block", size_mm=(60.0, 40.0, 100.0))}
+        known = replace(
+            known,
+            setup=replace(known.setup, places=places),
+            scene=replace(known.scene, bodies=bodies),
+        )
     known = replace(known, scene=replace(known.scene, tables=(TABLE,)))
     teacher.dialogue = replace(teacher.dialogue, known=known)
     teacher.hear(acts.Start())
@@ -62,3 +71,12 @@ def test_what_is_in_the_way_is_cleared_to_a_free_place() -> None:
     teacher.hear(acts.Unknown(), text="clear the way")
     assert teacher.topics[0] == "read_back.setup"
     assert teacher.dialogue.known.setup.places["target"] == place
+
+
+@pytest.mark.parametrize(("z_mm", "follows"), [(215.0, True), (240.0, False)])
+def test_nothing_is_put_into_the_air(z_mm: float, follows: bool) -> None:
+    higher = Refusal("collision", "grasp of block", "table", hint="higher", by=25.0)
+    base = Place("body", (500.0, 200.0, z_mm))
+    teacher = refused(higher, base).hear(acts.Unknown(), text="do that")
+    after = teacher.dialogue.known.setup.places["block"]
+    assert after.xyz_mm[2] == (240.0 if follows else z_mm)

@@ -9,6 +9,7 @@ import pytest
 
 from assistant.language.speech import phrase
 from assistant.learning.adaptation import adapt, plan_adaptation
+from assistant.model.bearing import stands
 from assistant.model.motion import Refusal
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Obstacle, Scene
@@ -59,7 +60,9 @@ def test_a_thing_told_in_the_table_is_to_be_put_higher() -> None:
     why = refused(told)
     assert why is not None
     advice = advised(why, PLAN, scene(), told, PLANNER)
-    assert (advice.hint, advice.by) == ("higher", 25.0)
+    assert advice.hint == "higher"
+    assert advice.by == pytest.approx(20.0)
+    assert stands(scene(), moved(told, "block", "higher", advice.by), "block")
 
 
 def test_what_stands_in_the_way_is_to_be_cleared_only_if_that_helps() -> None:
