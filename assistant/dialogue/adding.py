@@ -31,7 +31,9 @@ def plan_corrected(
     if mentions(words.text, hints("swap", dialogue.language)):
         return _swapped(dialogue, words.text, parts)
     name, first = _told(dialogue, words.text)
-    if not name:
+    named = [one for one in parts if one.name and mentions(words.text, (one.name.lower(),))]
+    # "First approach, then grasp" orders two steps and adds none.
+    if not name or len(named) > 1:
         return None
     known = find(dialogue.known, name)
     end = parts[0].name if first else parts[-1].name

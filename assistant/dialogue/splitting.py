@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from assistant.dialogue import grouping
 from assistant.dialogue.finding import find
-from assistant.dialogue.naming import number_of, steps_in, tidy
+from assistant.dialogue.naming import just_as_many, number_of, steps_in, tidy
 from assistant.dialogue.referring import with_names
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.sketch import at
@@ -27,7 +27,8 @@ def split_into(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
         return None
     told = re.match(
         rf"\W*(?:\w+\s+){{0,2}}?(?:{_any('splits', dialogue)})\s+(.+?)\s+"
-        rf"(?:{_any('splits_into', dialogue)})\s+(.+)$",
+        rf"(?:{_any('splits_into', dialogue)})\s+(.+?)"
+        rf"(?:\s+(?:{_any('splits_ends', dialogue)}))?\W*$",
         words.text,
         re.IGNORECASE,
     )
@@ -35,6 +36,8 @@ def split_into(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
     if told is None or not index or at(dialogue.known.root, index).parts:
         return None
     parts = steps_in(told.group(2), FEWEST, dialogue.language)
+    # "Lift and place" may be one name, but not of what something is split into.
+    parts = parts if len(parts) > 1 else just_as_many(told.group(2), FEWEST, dialogue.language)
     if len(parts) < FEWEST or number_of(parts[0], dialogue.language) is not None:
         return None
     opened, effects = grouping.split(dialogue, at(dialogue.known.root, index).name)

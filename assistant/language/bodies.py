@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal
 
 from assistant.language.hints import hints, matter, mentions
+from assistant.language.phrasebook import phrasebook
 
 Triple = tuple[float, float, float]
 Shape = Literal["box", "cylinder", "sphere", "cup"]
@@ -57,9 +59,11 @@ def _upright_last(text: str, lengths: tuple[float, ...], language: str) -> tuple
         return lengths
     # "7 high" and "a height of 7": a number before the word is its own.
     before = len(read_lengths_mm(text[: found.start()], language))
+    told = text[: found.start()].lower()
+    units = "|".join(map(re.escape, hints("units", language)))
     close = re.search(
-        rf"\d\s*[^\W\d_]*\s*$|\b(?:{_numbers(language)})\s*[^\W\d_]*\s*$",
-        text[: found.start()].lower(),
+        rf"\d\s*[^\W\d_]*\s*$|\b(?:{_numbers(language)})\s*[^\W\d_]*\s*$|\b(?:{units})\s*$",
+        told,
     )
     at = min(before - 1 if close else before, len(lengths) - 1)
     ground = [one for number, one in enumerate(lengths) if number != max(at, 0)]
@@ -74,14 +78,23 @@ def read_lengths_mm(text: str, language: str = "english") -> tuple[float, ...]:
     """Return the lengths in a text in mm; a unit said once holds for the numbers before it."""
     units: dict[str, float] = hints("units", language)
     numbers: dict[str, int] = hints("numbers", language)
+    # "Ein" is a length before a unit alone: "ein Würfel, 4 Zentimeter groß" has one length.
+    articles: list[str] = hints("articles", language)
+    joints: list[str] = hints("between_lengths", language)
+    book = phrasebook(language).numbers
     values: list[float] = []
     scales: list[float | None] = []
-    for digits, unit, word in _NUMBER.findall(text.lower()):
+    parts = [*_NUMBER.findall(text.lower()), ("", "", "")]
+    for (digits, unit, word), (_, _, behind) in pairwise(parts):
+        spoken = book.number((word,), 0) if word and behind in units else None
         if digits:
             values.append(float(digits.replace(",", ".")))
             scales.append(units.get(unit))
-        elif word in numbers:
+        elif word in numbers and (word not in articles or behind in units or behind in joints):
             values.append(float(numbers[word]))
+            scales.append(None)
+        elif spoken:
+            values.append(spoken[0])
             scales.append(None)
         elif word in units and scales:
             scales[-1] = units[word]

@@ -63,3 +63,10 @@ def test_a_step_that_is_not_there_is_not_guessed_about() -> None:
 def test_a_yes_with_a_word_before_it_stays_a_yes() -> None:
     for text in ("then yes", "first off that is right"):
         assert planned().hear(acts.Affirm(), text=text).asked == "ready"
+
+
+@pytest.mark.parametrize("text", ["first grab the block, then lift the block"])
+def test_two_known_steps_are_no_new_one(text: str) -> None:
+    teacher = planned()
+    teacher.hear(acts.Ordered("grab the block", "lift the block"), text=text)
+    assert steps(teacher) == steps(planned())

@@ -25,6 +25,8 @@ from tests.dialogue.teaching import Lessons
             ["lift it", "hold it"],
         ),
         ("german", "teile move up object in hebe es und halte es", ["hebe es", "halte es"]),
+        ("english", "split move up object into lift and travel", ["lift", "travel"]),
+        ("german", "teile move up object in heben und halten auf", ["heben", "halten"]),
     ],
 )
 def test_the_parts_are_the_ones_that_were_named(language: str, text: str, parts: list[str]) -> None:

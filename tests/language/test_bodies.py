@@ -50,3 +50,25 @@ def test_a_body_has_the_shape_of_its_name() -> None:
     assert read_body("8 cm wide and 9 high", name="cup").shape == "cup"
     assert read_body("a box, 8 by 9 by 3", name="cup").shape == "box"
     assert read_body("8 cm breit und 9 hoch", "german", "Tasse").size_mm == (80.0, 80.0, 90.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "size_mm"),
+    [
+        ("ein Würfel, 4 cm groß", (40, 40, 40)),
+        ("ein Würfel mit vier Zentimetern Kantenlänge", (40, 40, 40)),
+        ("ein Zylinder, 5 Zentimeter breit und 10 hoch", (50, 50, 100)),
+        ("eine flache Platte von 20 mal 20 cm", (200, 200, 0)),
+        ("10 mal 10 Zentimeter, einen Zentimeter dick", (100, 100, 10)),
+        ("anderthalb Zentimeter dick, 10 mal 10", (100, 100, 15)),
+        ("ein mal zwei mal drei Zentimeter", (10, 20, 30)),
+        ("eine Kugel, zweieinhalb Zentimeter", (25, 25, 25)),
+    ],
+)
+def test_german_sizes_count_no_article(text: str, size_mm: tuple[float, ...]) -> None:
+    assert read_body(text, "german").size_mm == pytest.approx(size_mm)
+
+
+def test_one_counts_where_lengths_are_told() -> None:
+    assert read_body("one cube with 4 cm sides").size_mm == pytest.approx((40, 40, 40))
+    assert read_body("one by two by three cm").size_mm == pytest.approx((10, 20, 30))
