@@ -1,8 +1,8 @@
 """Where the arm's reach ends the hand gives way sideways instead of standing still.
 
 A step of a driven hand that leaves what the arm can take is moved, level, by the least that
-brings it back: turned down high up, the hand comes nearer to the base; led on along the edge of
-its reach, it follows that edge. Its height and its turn stay as they were asked for.
+brings it back: led on along the edge of its reach, the hand follows that edge, at the height that
+was asked for. Turned high up it may come lower, too. It is turned as far as was asked for.
 """
 
 from __future__ import annotations
@@ -49,7 +49,8 @@ def slid(tip: Array, goal: Array, branch: int) -> tuple[Array, ...]:
     branch : int
         As the arm stands.
     """
-    found = _kept(goal, branch)
+    level = bool(np.any(goal[:3] != tip[:3]))
+    found = _kept(goal, branch, level=level)
     if found is None:
         return (goal,)
     aside = found[:3] - goal[:3]
@@ -63,11 +64,11 @@ def slid(tip: Array, goal: Array, branch: int) -> tuple[Array, ...]:
     return (found, goal) if far else (found, goal, nearer)
 
 
-def _kept(goal: Array, branch: int) -> Array | None:
+def _kept(goal: Array, branch: int, *, level: bool) -> Array | None:
     """Return the pose next to a goal that the arm can take; None where there is none."""
     found = np.array(goal)
     for _ in range(ROUNDS):
-        shift = _back(found, branch)
+        shift = _back(found, branch, level=level)
         if shift is None:
             return None
         if not shift.any():
@@ -76,12 +77,13 @@ def _kept(goal: Array, branch: int) -> Array | None:
     return found
 
 
-def _back(tip: Array, branch: int) -> Array | None:
+def _back(tip: Array, branch: int, *, level: bool) -> Array | None:
     """Return the way back into what the arm can take, zeros where it is there."""
     wrist = tip[:3] - HAND_M * rotate_vector(tip[3:], AHEAD)
     up, across = float(wrist[2] - a465.BASE_M), float(np.hypot(wrist[0], wrist[1]))
     far = math.hypot(up, across)
-    if up > HIGH_M and far > STRETCHED_M:
+    level = level or up <= HIGH_M
+    if not level and far > STRETCHED_M:
         # High up there is room below; level, the hand would have to go twice as far.
         return np.array([*wrist[:2], up]) * (STRETCHED_M / far - 1.0)
     if abs(up) >= STRETCHED_M or across < NUDGE_M:
@@ -91,7 +93,7 @@ def _back(tip: Array, branch: int) -> Array | None:
     radius = min(max(across, least), most)
     if radius != across:
         return np.array([*(wrist[:2] * (radius / across - 1.0)), 0.0])
-    return _bent(tip, branch, 3 if up > HIGH_M else 2)
+    return _bent(tip, branch, 2 if level else 3)
 
 
 def _bent(tip: Array, branch: int, axes: int) -> Array | None:

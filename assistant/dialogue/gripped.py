@@ -58,8 +58,7 @@ def met(known: Knowledge, thing: str, hand: Array) -> Knowledge:
 def _from_above(known: Knowledge, body: Body, hand: Array, ahead: Array) -> tuple[Body, Place]:
     """Return a thing as it is held, and where its base stands."""
     x, y, tip_mm = (1000.0 * (hand[:3] + TIP_M * ahead)).tolist()
-    high_mm = _held_mm(known, body, tip_mm)
-    base_mm = _on_table(known, body, tip_mm - high_mm)
+    base_mm, high_mm = _stands(known, body, tip_mm)
     up = ahead + rotate_vector(hand[3:], np.array([0.0, 0.0, 1.0]))
     yaw = float(np.degrees(np.arctan2(up[1], up[0])))
     place = Place("body", (round(x, 3), round(y, 3), round(base_mm, 3)), (0.0, 0.0, round(yaw, 3)))
@@ -76,27 +75,31 @@ def _from_above(known: Knowledge, body: Body, hand: Array, ahead: Array) -> tupl
     return held, place
 
 
-def _held_mm(known: Knowledge, body: Body, tip_mm: float) -> float:
-    """Return how high above a thing's base the fingers are when they hold it, or let go over it."""
-    objects = [one.name for one in known.objects or () if one.role == "object"]
+def _stands(known: Knowledge, body: Body, tip_mm: float) -> tuple[float, float]:
+    """Return how high a thing's base stands, and how high above it the fingers hold it."""
+    targets = [one.name for one in known.objects or () if one.role == "target"]
     tall_mm = body.size_mm[2]
-    if body.name in objects:
-        over = [tip_mm - top for top in _tops(known)]
-        near = [one for one in over if MET_MM[0] <= one <= tall_mm + MET_MM[1]]
+    if body.name not in targets:
+        near = [top for top in _tops(known) if MET_MM[0] <= tip_mm - top <= tall_mm + MET_MM[1]]
         most = max(tall_mm - EDGE_MM, min(LOWEST_MM, tall_mm + BARELY_MM))
-        return min(min(near, default=tall_mm / 2.0), most)
+        if not near:
+            return tip_mm - tall_mm / 2.0, tall_mm / 2.0
+        # A higher table is the one it stands on.
+        return max(near), min(max(tip_mm - max(near), 0.0), most)
+    high_mm = tall_mm + _over_mm(known)
+    low, high = LET_GO_MM
+    near = [top for top in _tops(known) if low <= tip_mm - high_mm - top <= high]
+    return max(near, default=tip_mm - high_mm), high_mm
+
+
+def _over_mm(known: Knowledge) -> float:
+    """Return how high the fingers are over the base of what is carried."""
+    objects = [one.name for one in known.objects or () if one.role == "object"]
     carried = [known.scene.bodies[name] for name in objects if name in known.scene.bodies]
     if not carried:
-        return tall_mm
+        return 0.0
     tip = compose(carried[0].hand_in_body, np.array([TIP_M, 0, 0, 0, 0, 0, 1.0]))
-    return tall_mm + 1000.0 * float(tip[2])
-
-
-def _on_table(known: Knowledge, body: Body, base_mm: float) -> float:
-    targets = [one.name for one in known.objects or () if one.role == "target"]
-    low, high = LET_GO_MM if body.name in targets else MET_MM
-    near = [top for top in _tops(known) if low <= base_mm - top <= high]
-    return min(near, key=lambda top: abs(base_mm - top)) if near else base_mm
+    return 1000.0 * float(tip[2])
 
 
 def _tops(known: Knowledge) -> list[float]:

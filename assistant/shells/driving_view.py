@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from assistant.dialogue.reporting import refusal_line
-from assistant.geometry import Array, compose, quat_to_rpy, relative, rotate_vector
+from assistant.geometry import Array, compose, rotate_vector
 from assistant.language.speech import in_words, phrase
 from assistant.model.motion import ArmReport, Refusal
 from assistant.model.scene import Scene
@@ -21,8 +21,10 @@ NEAR_MM, NEAR_DEG = 0.5, 0.4
 WAYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and less of x, y and z in the robot's base frame."""
 TURNS = ("q", "e")
-WRIST = ("joint 4", "joint 5", "joint 6")
-"""What winds up, or bends too far, is right again where the hand points down."""
+WRIST = ("joint 4", "joint 6")
+"""What winds up is right again where the hand points down."""
+BEND = "joint 5"
+"""High up it is bent most by a hand that points down."""
 ELBOW = "joint 3"
 """It ends where the arm is folded up; stretched, the hand is out of reach before."""
 DOWNWARD = -0.9
@@ -120,9 +122,19 @@ def end_gap(look: ArmLook, goal: Array, tip: Array) -> Gap:
 
 
 def _gap(look: ArmLook, name: str, goal: Array, tip: Array) -> Gap:
-    yaw = float(quat_to_rpy(relative(look.hand, goal)[3:])[2])
     away_mm = 1000.0 * (compose(goal, tip)[:3] - compose(look.hand, tip)[:3])
-    return Gap(name, away_mm, float(np.rad2deg(yaw)), held=bool(name) and look.held == name)
+    turn_deg = _turn_deg(look.hand, goal, 360.0 if look.held else 180.0)
+    return Gap(name, away_mm, turn_deg, held=bool(name) and look.held == name)
+
+
+def _turn_deg(hand: Array, goal: Array, whole_deg: float) -> float:
+    """Return how far to turn about the vertical until the fingers close along the same line.
+
+    However a hand leans. Empty, it grasps either way round: half a turn is a whole one then.
+    """
+    across, wanted = (rotate_vector(one[3:], np.array([0.0, 1.0, 0.0])) for one in (hand, goal))
+    angle = np.rad2deg(np.arctan2(wanted[1], wanted[0]) - np.arctan2(across[1], across[0]))
+    return float((angle + whole_deg / 2.0) % whole_deg - whole_deg / 2.0)
 
 
 def key_for(key: str, *, facing: bool) -> str:
@@ -213,6 +225,9 @@ def in_the_way(
         Whether the hand points down.
     """
     if isinstance(trouble, Refusal):
+        if trouble.what == ELBOW and trouble.reason == "speed":
+            # Stretched, the elbow has no speed left.
+            trouble = Refusal("reach", trouble.where)
         told = phrase(refusal_line("refuse", trouble), language)
         if trouble.what == ELBOW:
             away = key_for("w", facing=facing)
@@ -222,6 +237,8 @@ def in_the_way(
             return f"{told} {words['touching'].get(part, '')}".strip()
         if trouble.reason == "reach":
             return f"{told} {str(words['far']).format(key=key_for('s', facing=facing))}"
+        if trouble.what == BEND and down:
+            return f"{told} {words['bent']}"
         return f"{told} {words['wound']}" if trouble.what in WRIST else told
     put_down = bool(held) and trouble.text == "contact"
     template = words["put_down"] if put_down else words["faults"][trouble.text]

@@ -57,7 +57,7 @@ def test_what_is_put_down_from_above_lies_as_high_as_it_was_held() -> None:
     assert let_go[2] - TIP_M == pytest.approx(0.245 + 0.040, abs=1e-5)
 
 
-@pytest.mark.parametrize(("tip_mm", "held_mm"), [(262.0, 22.0), (305.0, 55.0)])
+@pytest.mark.parametrize(("tip_mm", "held_mm"), [(262.0, 22.0), (305.0, 55.0), (311.0, 55.0)])
 def test_fingers_that_closed_a_little_above_a_thing_are_led_lower(
     tip_mm: float, held_mm: float
 ) -> None:

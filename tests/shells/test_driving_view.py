@@ -117,6 +117,28 @@ def test_what_has_no_place_yet_is_told_to_be_where_the_hand_acts(
     assert above_table(replace(look, hand=lower), scene, TIP) == pytest.approx(above_mm - 50.0)
 
 
+@pytest.mark.parametrize("lean_deg", [0.0, 40.0, 90.0])
+@pytest.mark.parametrize("yaw_deg", [-70.0, 0.0, 35.0])
+def test_the_turn_told_is_about_the_vertical_however_the_hand_leans(
+    table: tuple[ArmLook, Scene], lean_deg: float, yaw_deg: float
+) -> None:
+    look, _ = table
+    leaning = pose_from_mm_deg((450, 100, 400), (0.0, lean_deg, 0.0))
+    goal = pose_from_mm_deg((450, 100, 400), (0.0, 0.0, yaw_deg))
+    for about, held in ((0.0, ""), (180.0, "")):
+        turned = pose_from_mm_deg((450, 100, 400), (0.0, lean_deg, about))
+        gap = end_gap(replace(look, hand=turned, held=held), goal, TIP)
+        assert gap.yaw_deg == pytest.approx(yaw_deg, abs=1e-6)
+    full = end_gap(replace(look, hand=leaning, held="block"), goal, TIP)
+    assert full.yaw_deg == pytest.approx(yaw_deg, abs=1e-6)
+
+
+def test_a_stretched_arm_is_not_told_to_stretch_further() -> None:
+    stretched = in_the_way(Refusal("speed", "next step", "joint 3"), WORDS, "english")
+    assert "(s)" in stretched
+    assert "folded" not in stretched
+
+
 def test_a_folded_arm_is_told_which_way_is_free() -> None:
     folded = Refusal("joint_limit", "next step", "joint 3")
     assert "first (w)" in in_the_way(folded, WORDS, "english")
