@@ -3,16 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from assistant.dialogue.reporting import refusal_line
-from assistant.geometry import Array, compose, rotate_vector
+from assistant.geometry import (
+    Array,
+    compose,
+    quat_to_rpy,
+    relative,
+    rotate_vector,
+    transform_points,
+)
 from assistant.language.speech import in_words, phrase
 from assistant.model.motion import ArmReport, Refusal
-from assistant.model.scene import Scene
+from assistant.model.placing import is_round
+from assistant.model.scene import Body, Scene
 from assistant.model.task import TaskObject
 from assistant.ports import ArmLook
 
@@ -69,11 +77,26 @@ def gaps(look: ArmLook, scene: Scene, tip: Array) -> tuple[Gap, ...]:
     tip : array, shape (7,)
         The point between the fingers, seen from the flange: the hand turns about it.
     """
-    return tuple(
-        _gap(look, name, compose(look.bodies[name], body.hand_in_body), tip)
-        for name, body in scene.bodies.items()
-        if name in look.bodies
-    )
+    known = [name for name in scene.bodies if name in look.bodies]
+    return tuple(_gap_to(look, scene, name, tip) for name in known)
+
+
+def _gap_to(look: ArmLook, scene: Scene, name: str, tip: Array) -> Gap:
+    body, pose, held = scene.bodies[name], look.bodies[name], scene.bodies.get(look.held)
+    round_one = is_round(body) or (held is not None and is_round(held))
+    gap = _gap(look, name, compose(pose, body.hand_in_body), tip)
+    if held is not None and look.held in look.bodies and _bears(body, name, look.held):
+        # What matters is where the thing in the hand comes to stand, however it was taken.
+        base = look.bodies[look.held]
+        top = transform_points(pose, np.array([0.0, 0.0, body.size_mm[2] / 1000.0]))
+        turn_deg = float(np.rad2deg(quat_to_rpy(relative(base, pose)[3:])[2]))
+        gap = replace(gap, xyz_mm=1000.0 * (top - base[:3]), yaw_deg=turn_deg)
+    return replace(gap, yaw_deg=0.0) if round_one else gap
+
+
+def _bears(body: Body, name: str, held: str) -> bool:
+    """Whether what is held is put on top of a thing."""
+    return name != held and body.mass_kg == 0.0 and not any(body.hole_mm)
 
 
 def unplaced(

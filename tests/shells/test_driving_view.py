@@ -117,6 +117,35 @@ def test_what_has_no_place_yet_is_told_to_be_where_the_hand_acts(
     assert above_table(replace(look, hand=lower), scene, TIP) == pytest.approx(above_mm - 50.0)
 
 
+@pytest.mark.parametrize("lower_mm", [0.0, 12.0])
+@pytest.mark.parametrize("shape", ["box", "cylinder"])
+def test_to_a_place_it_is_as_far_as_what_is_held_has_to_go(
+    table: tuple[ArmLook, Scene], shape: Any, lower_mm: float
+) -> None:
+    look, scene = table
+    block, target = scene.bodies["block"], look.bodies["target"]
+    above = pose_from_mm_deg((30.0, 0.0, 100.0 + target_mm(scene)), (0.0, 0.0, 0.0))
+    base = compose(target, above)
+    # However low it was taken, it is its base that has to come down.
+    hand = compose(base, block.hand_in_body) - np.array([0, 0, lower_mm / 1000.0, 0, 0, 0, 0])
+    held = replace(look, hand=hand, held="block", bodies={**look.bodies, "block": base})
+    round_one = replace(block, shape=shape, size_mm=(50.0, 50.0, 100.0))
+    bodies = {**scene.bodies, "block": round_one}
+    gap = gaps(held, replace(scene, bodies=bodies), TIP)[1]
+    assert gap.xyz_mm[2] == pytest.approx(-100.0)
+    assert np.linalg.norm(gap.xyz_mm[:2]) == pytest.approx(30.0)
+    turned = replace(held, bodies={**held.bodies, "block": compose(base, QUARTER)})
+    turn_deg = gaps(turned, replace(scene, bodies=bodies), TIP)[1].yaw_deg
+    assert turn_deg == pytest.approx(0.0 if shape == "cylinder" else -20.0, abs=1e-6)
+
+
+QUARTER = pose_from_mm_deg((0.0, 0.0, 0.0), (0.0, 0.0, 20.0))
+
+
+def target_mm(scene: Scene) -> float:
+    return scene.bodies["target"].size_mm[2]
+
+
 @pytest.mark.parametrize("lean_deg", [0.0, 40.0, 90.0])
 @pytest.mark.parametrize("yaw_deg", [-70.0, 0.0, 35.0])
 def test_the_turn_told_is_about_the_vertical_however_the_hand_leans(
