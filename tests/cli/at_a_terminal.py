@@ -17,7 +17,6 @@ from assistant.session.opening import Opening, open_session
 
 KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
 """Keys for more and for less of x, y and z."""
-FASTER = "+" * 2
 RESTS_S = 0.1
 REPEATED_S = 0.03
 """A terminal repeats a held key about this often."""

@@ -11,7 +11,7 @@ import pytest
 from assistant.geometry import Array
 from assistant.model.transcript import SetupChoice
 from assistant.session.opening import chosen
-from tests.cli.at_a_terminal import FASTER, Teacher, introduced
+from tests.cli.at_a_terminal import Teacher, introduced
 
 SETUP = """\
 format: setup/1
@@ -27,8 +27,7 @@ places:
 def show(teacher: Teacher, block: Array, target: Array) -> None:
     """Pick the block up and place it, saying the cues by keys."""
     above = np.array([0.0, 0.0, 0.06, 0.0, 0.0, 0.0, 0.0])
-    for key in (*FASTER, "1"):
-        teacher.press(key)
+    teacher.press("1")
     teacher.drive(block, "x")
     teacher.press("n")
     teacher.act("c", 0.04)
@@ -112,7 +111,8 @@ def test_the_mouse_drags_the_hand_while_its_button_is_held(tmp_path: Path) -> No
     # Where the pictures are is known once the terminal's answer has come, and so with what follows.
     teacher.press("+")
     terminal.expect("shown   larger")
-    # What is shown is recorded from the first key on.
+    # What is shown is recorded from the first word or move on.
+    teacher.press("1")
     begin = teacher.rest()
     # The pictures lie side by side below the keys; this is within the left one, from above.
     terminal.send(sgr(0, 20, 20, "M"))
