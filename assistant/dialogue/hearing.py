@@ -10,7 +10,7 @@ from assistant.dialogue.asking import ask, tell
 from assistant.dialogue.changing import shown_left
 from assistant.dialogue.declining import denied
 from assistant.dialogue.doubting import doubted, is_guess, misunderstood, without_guess
-from assistant.dialogue.effects import Effect
+from assistant.dialogue.effects import Effect, Keep
 from assistant.dialogue.events import Heard
 from assistant.dialogue.explaining import explain
 from assistant.dialogue.finding import fully_named, with_name
@@ -155,6 +155,9 @@ def act_on_all(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], words: Wo
     """Do several acts in turn; what comes after a question waits for its answer."""
     effects: tuple[Effect, ...] = ()
     for at, act in enumerate(meant):
+        if isinstance(act, acts.Quit) and any(isinstance(one, Keep) for one in effects):
+            # "Save it and goodbye": who leaves waits until it is kept.
+            return replace(dialogue, leaving=True), effects
         before = dialogue.pending
         dialogue, more = act_on(dialogue, act, words)
         effects = (*effects, *more)

@@ -28,6 +28,13 @@ def test_leaving_with_unsaved_work_asks() -> None:
     assert refused.did(fx.Leave)
 
 
+def test_saving_and_leaving_at_once_asks_nothing() -> None:
+    teacher = Lessons().ready().hear(acts.Save("probe"), acts.Quit())
+    assert teacher.did(fx.Keep)
+    assert teacher.asked != "unsaved"
+    assert teacher.happen(ev.Kept("probe")).did(fx.Leave)
+
+
 def test_overwriting_asks() -> None:
     teacher = Lessons()
     teacher.ready()
