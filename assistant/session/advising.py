@@ -41,7 +41,7 @@ FIRST: Mapping[str, tuple[Help, ...]] = {
     "higher": ("higher",),
 }
 """What is tried first, by what the planner said."""
-NOTHING = "nothing"
+NOTHING, FROM_ABOVE = "nothing", "from_above"
 
 
 def advised(
@@ -85,7 +85,9 @@ def advised(
         if partly is None and not _about(left, (thing,)):
             partly = how, by
     overlap = refusal.reason == "setup" and refusal.what in setup.places
-    hint, by = partly or (CLEAR if overlap else NOTHING, 0.0)
+    slides = refusal.where == f"way to {refusal.what}"
+    otherwise = CLEAR if overlap else FROM_ABOVE if slides else NOTHING
+    hint, by = partly or (otherwise, 0.0)
     return replace(refusal, hint=hint, by=by)
 
 

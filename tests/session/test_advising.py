@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from assistant.dialogue.reporting import refusal_line
 from assistant.language.speech import phrase
 from assistant.learning.adaptation import adapt, plan_adaptation
 from assistant.model.bearing import stands
@@ -115,3 +116,10 @@ def test_what_is_too_low_for_the_hand_is_to_stand_higher() -> None:
     assert why is not None
     assert (why.reason, why.what, why.hint) == ("collision", "table", "higher")
     assert advised(why, PLAN, where, told, PLANNER).hint == "higher"
+
+
+@pytest.mark.parametrize("language", ["english", "german"])
+def test_a_way_that_slides_in_from_the_side_is_to_be_shown_from_above(language: str) -> None:
+    refusal = Refusal("collision", "way to target", "target", 1.0, "mm", hint="from_above")
+    told = phrase(refusal_line("refuse", refusal), language)
+    assert ("I will show it again" if language == "english" else "ich zeige es noch einmal") in told
