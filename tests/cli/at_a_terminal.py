@@ -20,8 +20,8 @@ KEYS = (("w", "s"), ("a", "d"), ("r", "f"))
 RESTS_S = 0.1
 REPEATED_S = 0.03
 """A terminal repeats a held key about this often."""
-BRAKES_M = 0.035
-"""How far the hand goes on about once a held key is let go."""
+STEP_M = 0.005
+"""What a tap does."""
 WHERE = "\x1b[6n"
 """How a terminal is asked where its cursor is."""
 TALK = (
@@ -151,18 +151,16 @@ class Teacher:
                 return np.array(now[1:8])
 
     def drive(self, goal: Array, axis: str, within: float = 0.001) -> None:
-        """Hold a key until the hand is near where it should be, then tap it."""
+        """Tap a key as often as the hand has steps to go, and look where it is then."""
         k = "xyz".index(axis)
-        for _ in range(2000):
-            gap = float(goal[k] - self.hand[k])
-            if abs(gap) < BRAKES_M:
-                break
-            self.press(KEYS[k][0 if gap > 0 else 1])
         for _ in range(40):
             gap = float(goal[k] - self.rest()[k])
             if abs(gap) < within:
                 return
-            self.tap(KEYS[k][0 if gap > 0 else 1])
+            key = KEYS[k][0 if gap > 0 else 1]
+            for _ in range(int(abs(gap) / STEP_M) - 1):
+                self.terminal.send(key)
+            self.tap(key)
         raise AssertionError("the hand does not get there")
 
     def tap(self, key: str) -> None:
