@@ -32,7 +32,9 @@ from assistant.language.trusting import (
     chatting,
     consenting,
     is_name,
+    is_nameless,
     names_step,
+    only_part,
     strange,
     swapped,
     trusted_from,
@@ -163,7 +165,7 @@ def _kept_from(
     doubted = (swapped, turned)
     if any(tell(acts, weighed, words, hearing) for tell in doubted):
         return True
-    if praised(weighed.acts, acts, words, hearing):
+    if praised(weighed.acts, acts, words, hearing) or only_part(acts, weighed):
         return True
     if isinstance(weighed.acts[0], Explain) and wondering(words, hearing):
         return kind_of(acts) in ("named", "motion")
@@ -197,7 +199,8 @@ def plain(weighed: Parse, chances: Chances) -> bool:
     Where names or places are told, which words tell them is always weighed. What is listed as
     meaning nothing here, "thank you", is not heard as an answer.
     """
-    if not weighed.exact or kind_of(weighed.acts) in ("named", "placed", "inform"):
+    told = kind_of(weighed.acts) in ("named", "placed", "inform")
+    if not weighed.exact or (told and not is_nameless(weighed.acts)):
         return False
     nothing = weighed.acts == (Unknown(),) and weighed.score >= ACTING
     beside = isinstance(weighed.acts[0], ASIDE)

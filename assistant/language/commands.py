@@ -218,7 +218,9 @@ def _answered(acts: tuple[TeacherAct, ...], listening: Listening) -> tuple[Teach
         return acts
     if listening.asked in OPEN:
         return acts[1:]
-    same = {"ready": Start, "optional": Optional, "unsaved": Save}.get(listening.asked or "")
+    same = {"ready": Start, "optional": Optional}.get(listening.asked or "")
+    if listening.asked == "unsaved" and acts == (Affirm(), Save()):
+        return acts[:1]
     while len(acts) > 1 and isinstance(acts[0], Affirm) and isinstance(acts[1], Affirm):
         acts = acts[1:]
     wanted = len(acts) > 1 and same is not None and isinstance(acts[1], same)

@@ -42,7 +42,10 @@ GROUPS = {
 def contrasted(words: Words, hearing: Hearing) -> Parse | None:
     """Read "left, not right", "not left but right", "ten mil, not ten centimetres, up"."""
     texts = texts_of(words)
+    told = set(texts)
     for phrase in hearing.book.contrasting:
+        if phrase[0] not in told:
+            continue
         for at in range(len(texts) - len(phrase)):
             if texts[at : at + len(phrase)] != phrase:
                 continue

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from assistant.language.actions import read_action
 from assistant.language.answers import answer, trimmed
 from assistant.language.listing import items
 from assistant.language.parsing import LIKELY, Hearing, Parse, texts_of
@@ -17,7 +18,7 @@ from assistant.model.teacher_acts import Inform, Unknown
 
 _TOLD = 0.93
 _LONGEST_NAME = 4
-_FEWEST, _MOST = 2, 12
+_FEWEST, _MOST, _FEWEST_ALONE = 2, 12, 3
 _NEAR = 4
 """Words behind a number among which the list begins: "four bits in all, ..."."""
 _LEADING = 2
@@ -39,7 +40,15 @@ def counted(words: Words, hearing: Hearing) -> Parse | None:
         name = answer(words[:start], "task_name", book) if start else None
         if name is not None and words[start].broken:
             return Parse((name, *told), _TOLD, "answer")
-    return None
+    return _listed_alone(words, hearing) if asked == "subtask_count" else None
+
+
+def _listed_alone(words: Words, hearing: Hearing) -> Parse | None:
+    """Return the steps that are listed where their number was asked for: most tell an action."""
+    marks = sum(word.broken for word in words[1:])
+    listed = _listed(words, marks + 1, hearing.book) if marks + 1 >= _FEWEST_ALONE else ()
+    acting = sum(read_action(one, (), hearing.language).action is not None for one in listed)
+    return Parse((Inform(listed),), _TOLD, "answer") if acting > len(listed) / 2 else None
 
 
 def only_counted(words: Words, hearing: Hearing) -> Parse | None:

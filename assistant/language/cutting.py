@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import combinations, pairwise
-from math import log
+from math import inf, log
 
 from assistant.language.answers import OPEN
 from assistant.language.learned import Learned, learned
@@ -68,8 +68,8 @@ def sure_cuts(words: Words, chances: Mapping[str, float], hearing: Hearing) -> l
     places = _places(words, hearing)
     ways = [(at,) for at in places if _SHORTEST <= at <= len(words) - _SHORTEST]
     read: dict[tuple[int, int], Learned | None] = {}
-    found = [one for one in (_read(words, way, read, hearing) for way in ways) if one]
-    sure = [one for one in found if one.least_log >= _SURE and _unlike(one)]
+    found = [one for one in (_read(words, way, read, hearing, _SURE) for way in ways) if one]
+    sure = [one for one in found if _unlike(one)]
     return sorted(sure, key=lambda one: -one.mean_log)[:1]
 
 
@@ -82,13 +82,15 @@ def _read(
     way: tuple[int, ...],
     read: dict[tuple[int, int], Learned | None],
     hearing: Hearing,
+    least: float = -inf,
 ) -> Cut | None:
+    """Return the clauses a line is cut into; None if one cannot be read, or not so likely."""
     clauses: list[Learned] = []
     for span in pairwise((0, *way, len(words))):
         if span not in read:
             read[span] = _best(words[slice(*span)], hearing)
         clause = read[span]
-        if clause is None:
+        if clause is None or clause.act_log + clause.slots_log < least:
             return None
         clauses.append(clause)
     logs = [one.act_log + one.slots_log for one in clauses]

@@ -66,7 +66,9 @@ def is_cut_short(start: int, end: int, words: Words, known: Frames) -> bool:
 def _ends(at: int, words: Words, known: Frames) -> bool:
     """Tell whether no noun follows a particle: then it would lead to a place."""
     after = words[at + 1] if at + 1 < len(words) else None
-    return after is None or after.broken or after.text not in known.small("determiners")
+    if after is None or after.broken:
+        return True
+    return not after.text[:1].isdigit() and after.text not in known.small("determiners")
 
 
 def _with_pronoun(start: int, end: int, words: Words, used: set[int], known: Frames) -> int:

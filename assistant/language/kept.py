@@ -50,6 +50,8 @@ def _marks(texts: Phrase, words: Words, book: Phrasebook) -> Iterator[tuple[int,
         if words[at].broken and (texts[at - 1],) in nouns:
             yield at, at
     for phrase in book.keeping["against"]:
+        if phrase[0] not in told:
+            continue
         for at in range(1, len(texts) - len(phrase)):
             if texts[at : at + len(phrase)] == phrase:
                 yield at, at + len(phrase)

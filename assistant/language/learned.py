@@ -39,7 +39,6 @@ _CLOSED = {
     "rotate": "direction",
     "move_cut": "direction",
 }
-_LONGEST_NUMBER = 6
 _OWN = frozenset(("new", "name", "value", "object"))
 _LISTS = frozenset(("subtasks",))
 
@@ -182,23 +181,13 @@ _Slots = dict[str, Any]
 _Span = tuple[int, int] | None
 
 
-def _number_start(at: int, spelled: Words, hearing: Hearing) -> int:
-    """Return where the number begins that a place is within: the "one" of "one point five"."""
-    numbers, texts = hearing.book.numbers, texts_of(spelled)
-    for start in range(max(0, at - _LONGEST_NUMBER), at):
-        if any(word.broken for word in spelled[start + 1 : at + 1]):
-            continue
-        found = numbers.number(texts, start)
-        if found is not None and found[1] > at:
-            return start
-    return at
-
-
 def _value(span: _Span, spelled: Words, hearing: Hearing) -> tuple[float, str] | None:
     if span is None:
         return None
     numbers = hearing.book.numbers
-    texts = texts_of(spelled[_number_start(span[0], spelled, hearing) : span[1]])
+    marked = max(at for at in range(span[0] + 1) if at == 0 or spelled[at].broken)
+    texts = texts_of(spelled[marked : span[1]])
+    texts = texts[numbers.start(texts, span[0] - marked) :]
     quantity = numbers.quantity(texts, 0)
     if quantity is not None:
         return quantity.value, quantity.kind

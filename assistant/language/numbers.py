@@ -10,6 +10,7 @@ from typing import Literal
 Kind = Literal["m", "deg", "ratio", "s", ""]
 _DIGITS = re.compile(r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)$")
 _DIGIT_STARTS = frozenset("0123456789+-.")
+_LONGEST = 6
 _ORDINAL = re.compile(r"(\d+)(?:st|nd|rd|th)$")
 
 
@@ -55,6 +56,14 @@ class NumberWords:
         found = None if phrase and len(phrase) > 1 else self._fraction_of(words, at)
         found = found or self._whole(words, at)
         return None if found is None else self._and_fraction(words, *found)
+
+    def start(self, words: Sequence[str], at: int) -> int:
+        """Return where the number begins that a place is within: the "one" of "one point five"."""
+        for begun in range(max(0, at - _LONGEST), at):
+            found = self.number(words, begun)
+            if found is not None and found[1] > at:
+                return begun
+        return at
 
     def _begins(self, word: str) -> bool:
         """Tell quickly whether a number can begin with a word."""
@@ -139,12 +148,18 @@ class NumberWords:
         start = at + 1 if at < len(words) and words[at] in self.articles else at
         part = self.fractions.get(words[start]) if start < len(words) else None
         if part is not None:
-            return part, start + 1
+            return self._part_of(words, part, start + 1)
         count = self._whole(words, at)
         if count is None or count[1] >= len(words):
             return None
         part = self.fractions.get(words[count[1]])
         return None if part is None else (count[0] * part, count[1] + 1)
+
+    def _part_of(self, words: Sequence[str], part: float, end: int) -> tuple[float, int]:
+        """Read on: "half of ninety" is forty five."""
+        counted = end + 1 < len(words) and words[end] in self.of
+        whole = self._whole(words, end + 1) if counted else None
+        return (part, end) if whole is None else (part * whole[0], whole[1])
 
     def _and_fraction(self, words: Sequence[str], value: float, end: int) -> tuple[float, int]:
         """Read on after a whole number: "and a half", "point five"."""

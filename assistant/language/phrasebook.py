@@ -95,7 +95,7 @@ class Phrasebook:
         places = set[int]().union(*needing)
         for begun in (texts[0], ""):
             for at in sorted(places & self.beginning.get(begun, frozenset())):
-                if self.sentences[at].may_match(told):
+                if self.sentences[at].may_match(told, texts[-1]):
                     yield self.sentences[at]
 
     def leading_words(self, name: str) -> frozenset[str]:

@@ -211,6 +211,32 @@ def first_words(nodes: Sequence[Node]) -> frozenset[str] | None:
     return frozenset(found)
 
 
+def last_words(nodes: Sequence[Node]) -> frozenset[str] | None:
+    """Return the words a match can end with; None if it can end with anything."""
+    found: set[str] = set()
+    for node in reversed(nodes):
+        if isinstance(node, str):
+            return frozenset(found | {node})
+        if isinstance(node, Slot):
+            return None
+        ways = [last_words(way) for way in node.ways] if isinstance(node, Choice) else []
+        if any(way is None for way in ways):
+            return None
+        found |= {word for way in ways if way for word in way}
+        found |= set(_tree_ends(node.tree)) if isinstance(node, Phrases) else set()
+        if not _empty((node,)):
+            return frozenset(found)
+    return frozenset(found)
+
+
+def _tree_ends(tree: Mapping[str, object]) -> Iterator[str]:
+    for word, below in tree.items():
+        if isinstance(below, dict) and word:
+            if _END in below:
+                yield word
+            yield from _tree_ends(below)
+
+
 def _empty(way: Sequence[Node]) -> bool:
     return all(
         (isinstance(node, Phrases) and _END in node.tree)

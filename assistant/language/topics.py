@@ -8,10 +8,12 @@ everybody is that wiping comes first".
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 
 from assistant.language.clauses import clause
 from assistant.language.frames import Frames, frames
 from assistant.language.parsing import LIKELY, Hearing, Parse, texts_of
+from assistant.language.phrasebook import Phrasebook
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
     AddSubtask,
@@ -30,6 +32,7 @@ from assistant.model.teacher_acts import (
     TeacherAct,
     Translate,
     Unordered,
+    act_name,
 )
 
 STRUCTURE: tuple[type[TeacherAct], ...] = (
@@ -69,8 +72,11 @@ def going_on(words: Words, hearing: Hearing) -> Parse | None:
     """Read "go on, but slower": a pause is over, and what comes is corrected."""
     joints = frames(hearing.language)
     goes_on = joints.small("but") if joints else frozenset[str]()
+    resuming = _resuming(hearing.book)
     for at in range(1, min(len(words) - 1, _LONGEST_START)):
         if not words[at].broken and words[at].text not in goes_on:
+            continue
+        if not any(word.text in resuming for word in words[:at]):
             continue
         first = clause(words[:at], hearing)
         rest = words[at:]
@@ -83,6 +89,13 @@ def going_on(words: Words, hearing: Hearing) -> Parse | None:
         if second is not None and told and isinstance(second.acts[0], _CORRECTIONS):
             return Parse((Resume(), *second.acts), min(first.score, second.score))
     return None
+
+
+@cache
+def _resuming(book: Phrasebook) -> frozenset[str]:
+    """Return the words by which sentences begin that say to go on, asides not counted."""
+    told = [one for one in book.sentences if one.act == act_name(Resume())]
+    return frozenset(word for one in told for words in one.needed[:1] for word in words)
 
 
 def _is_told(acts: tuple[TeacherAct, ...]) -> bool:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 from assistant.language.frames import classes_of
 from assistant.language.looks import kind_of
-from assistant.language.parsing import ACTING, GUESSED, Hearing, Parse, texts_of
+from assistant.language.merging import CORRECTIONS
+from assistant.language.parsing import ACTING, GUESSED, SURE, Hearing, Parse, texts_of
 from assistant.language.repair import respelled
 from assistant.language.seeking import Chances, label_of
 from assistant.language.words import Words, said
 from assistant.model.teacher_acts import (
+    Again,
+    Compare,
     Explain,
     Inform,
+    Load,
     Ordered,
+    Save,
     SetPose,
     TeacherAct,
     Unknown,
@@ -19,10 +24,11 @@ from assistant.model.teacher_acts import (
 )
 
 FREE_ANSWERS = ("goal", "facing")
-_TRUSTED, _ASKING, _ANSWERING, _PLAINLY = 0.92, 0.8, 0.75, 0.4
+_TRUSTED, _ASKING, _ANSWERING, _PLAINLY, _NEVER = 0.94, 0.8, 0.92, 0.75, 1.0
 """What the grammar is sure of is doubted below: where another act or name costs most, the most."""
 _SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
 _JOINED_NAME = 5
+_WHOLE, _TRYING = SURE - 0.02, 0.75
 _TRIED = "again"
 """How a correction is read that is to be tried at once: each of its parts is plain."""
 
@@ -31,12 +37,17 @@ def trusted_from(weighed: Parse, hearing: Hearing) -> float:
     """Return from which probability the grammar is trusted: known names and counts are plain."""
     act, listening = weighed.acts[0], hearing.listening
     if weighed.how == _TRIED:
-        return _ANSWERING
+        return _TRYING
     if names_step(weighed.acts, hearing) or isinstance(act, Unknown):
         return 0.0
     if isinstance(act, Inform):
         free = isinstance(act.value, int) or listening.asked in FREE_ANSWERS
         return _PLAINLY if free else _ANSWERING
+    if kind_of(weighed.acts) == "named":
+        # Where a name that nobody knows begins and ends the grammar cannot tell.
+        return _NEVER
+    if weighed.how == "mended":
+        return _ANSWERING
     placed = isinstance(act, SetPose) and act.object in listening.objects
     return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
 
@@ -48,6 +59,14 @@ def is_name(weighed: Parse, words: Words, hearing: Hearing) -> bool:
         most = _JOINED_NAME
     sure = len(words) <= most and weighed.score >= ACTING
     return sure and weighed.acts == (Inform(said(words)),)
+
+
+def is_nameless(acts: tuple[TeacherAct, ...]) -> bool:
+    """Tell an act about a lesson that nobody named: "save", "load it"."""
+    return acts in _NAMELESS
+
+
+_NAMELESS = ((Save(),), (Load(),), (Compare(),))
 
 
 def names_step(acts: tuple[TeacherAct, ...], hearing: Hearing) -> bool:
@@ -97,6 +116,13 @@ def wondered(parse: Parse, words: Words, hearing: Hearing) -> Parse:
     """Return a question of why as that, where it was read as what it asks about."""
     named = kind_of(parse.acts) in ("named", "motion") and wondering(words, hearing)
     return Parse((Explain(said(words)),), GUESSED, "sought") if named else parse
+
+
+def only_part(acts: tuple[TeacherAct, ...], weighed: Parse) -> bool:
+    """Tell a part of corrections that the grammar explains whole: "2 cm left and one up"."""
+    told = weighed.acts
+    whole = weighed.score >= _WHOLE and all(isinstance(one, (*CORRECTIONS, Again)) for one in told)
+    return whole and len(acts) < len(told) and all(one in told for one in acts)
 
 
 def swapped(acts: tuple[TeacherAct, ...], weighed: Parse, words: Words, hearing: Hearing) -> bool:

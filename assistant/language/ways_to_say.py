@@ -15,18 +15,20 @@ from assistant.language.templates import (
     compiled,
     first_words,
     has_slot,
+    last_words,
     needed_words,
 )
 
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
-    """A way to say an act, compiled; `first` holds the words it can begin with."""
+    """A way to say an act, compiled; `first` and `last` hold what it can begin and end with."""
 
     act: str
     slots: Mapping[str, Any]
     nodes: tuple[Node, ...]
     first: frozenset[str] | None
+    last: frozenset[str] | None
     stages: frozenset[str]
     asked: frozenset[str]
     extra: str
@@ -34,11 +36,13 @@ class Sentence:
     needed: tuple[frozenset[str], ...]
     only: frozenset[str] | None
 
-    def may_match(self, words: frozenset[str]) -> bool:
+    def may_match(self, words: frozenset[str], last: str) -> bool:
         """Tell quickly whether words can match: all are the template's, and none it needs lacks."""
+        if self.last is not None and last not in self.last:
+            return False
         if self.only is not None and not words <= self.only:
             return False
-        return not any(words.isdisjoint(one) for one in self.needed)
+        return not any(map(words.isdisjoint, self.needed))
 
 
 def sentences_of(
@@ -56,6 +60,7 @@ def sentences_of(
                 slots=entry.get("slots", {}),
                 nodes=nodes,
                 first=first_words(nodes),
+                last=last_words(nodes),
                 stages=frozenset(entry.get("stage", "").split()),
                 asked=frozenset(entry.get("asked", "").split()),
                 extra=extra,

@@ -24,10 +24,11 @@ from assistant.language.nets import Net, context_of, packed, told_beside
 from assistant.language.phrasebook import LANGUAGES, phrasebook
 from assistant.language.repair import respelled
 from assistant.language.similarity import spelled_out
+from assistant.language.words import told as surface_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import STAGES, Asked
 from assistant.plain_yaml import read_file
-from tests.benchmarks import act_net, net_fitting
+from tests.benchmarks import act_net, net_fitting, slot_clauses
 from tests.benchmarks.aligning import prepared
 from tests.benchmarks.bench_language import CORPUS, FILES, FRESH, SURE, Row, rows
 from tests.benchmarks.patterns import made
@@ -36,6 +37,11 @@ _PENALTY = 0.3
 _SPEAKER = 1.0
 _TEMPLATE = 0.35
 _PATTERN = 0.3
+_RENAMED = 0.4
+_BY_KIND = frozenset(
+    ("inform", "rename", "optional", "required", "unordered", "ordered", "add_subtask")
+) | {"remove_subtask", "merge", "split", "assign", "set_pose", "save", "load", "compare"}
+"""Acts that how their slots are told tells whole."""
 _SEEN, _EPOCHS = 1.2, 12
 """How often the net sees an example that counts one, and how often it sees them all."""
 
@@ -61,6 +67,16 @@ def spoken(files: Iterable[str]) -> Iterator[Example]:
 def patterned() -> Iterator[Example]:
     """Yield sentences made of patterns."""
     return (_example("patterns", row, _PATTERN) for row in made())
+
+
+def renamed(files: Sequence[str]) -> Iterator[Example]:
+    """Yield sentences of corpora with names of other speakers: no act is told by a name."""
+    rng = np.random.default_rng(7)
+    for one in slot_clauses.renamed(list(slot_clauses.clauses(files)), rng):
+        told = "inform" if one.kind == "inform many" else one.kind
+        if told in _BY_KIND:
+            text = surface_of(one.words)
+            yield Example(one.speaker, text, one.listening, (told,), _RENAMED)
 
 
 def _example(source: str, row: Row, weight: float) -> Example:
@@ -216,6 +232,7 @@ def main() -> None:
     tested = [one for one in sys.argv[1:] if not one.startswith("-")]
     learned = [*spoken(one for one in (*FILES, *FRESH) if one not in tested), *chatted()]
     learned += [*patterned(), *written("english")]
+    learned += renamed([one for one in (*FILES, *FRESH) if one not in tested])
     unseen = list(spoken(tested))
     print(f"{len(learned)} examples", flush=True)
     model = model_of(learned)

@@ -1,6 +1,7 @@
 """Fitting of the two small nets: steps of Adam over sentences of like length.
 
-Source: adam (Kingma and Ba 2015), dropout (Srivastava and others 2014).
+Source: adam (Kingma and Ba 2015), dropout (Srivastava and others 2014), averaging
+(Polyak and Juditsky 1992).
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ _DROPPED, UNHEARD = 0.3, 0.1
 """The share of what a net sees, and of whole words, that does not count in a step."""
 _RATE, _LAST_RATE, _DECAY = 2e-3, 1e-4, 1e-3
 MOST = 40
+_SETTLED = 2 / 3
+"""The share of the steps behind which weights only go to and fro."""
 _EPSILON = 1e-8
 NEVER = np.float32(-1e4)
 Slopes = dict[str, Scores]
@@ -131,9 +134,12 @@ def descended(
     epochs: int,
     rng: np.random.Generator,
 ) -> Slopes:
-    """Return weights after steps of Adam; an example that counts little is seen seldom."""
+    """Return the mean of the weights of the last steps of Adam: single steps go to and fro.
+
+    An example that counts little is seen seldom.
+    """
     mean, spread = ({k: np.zeros_like(v) for k, v in weights.items()} for _ in range(2))
-    step = 0
+    found, taken, step = {k: v.copy() for k, v in weights.items()}, 0, 0
     for epoch in range(epochs):
         rate = np.float32(_RATE * (1 - epoch / epochs) + _LAST_RATE)
         for part in _parts(sizes, counts, rng):
@@ -146,7 +152,10 @@ def descended(
                 )
                 decay = 0.0 if key == "own" else _DECAY
                 weights[key] -= rate * np.asarray(moved + decay * weights[key], np.float32)
-    return weights
+            taken += epoch >= epochs * _SETTLED
+            for key in weights if taken else ():
+                found[key] += (weights[key] - found[key]) / np.float32(taken)
+    return found
 
 
 def _parts(

@@ -54,3 +54,9 @@ def test_a_number_alone_names_no_thing(text: str) -> None:
 
 def test_counted_things_are_named() -> None:
     assert values("a cup and two spoons", "objects") != ["unknown"]
+
+
+def test_steps_listed_where_their_number_was_asked_for_are_the_answer() -> None:
+    told = values("pick it up, carry it over, put it down", "subtask_count")
+    assert told == [["pick it up", "carry it over", "put it down"]]
+    assert values("well, you know, it depends, really", "subtask_count") == ["unknown"]

@@ -72,3 +72,18 @@ def test_hundreds_in_a_row_are_numbers_of_their_own() -> None:
     words = ["four", "hundred", "one", "hundred", "seventy", "two", "hundred"]
     numbers = phrasebook().numbers
     assert [numbers.number(words, at) for at in (0, 2, 5)] == [(400.0, 2), (170.0, 5), (200.0, 7)]
+
+
+@pytest.mark.parametrize(
+    ("text", "at", "start"),
+    [("one point five mm", 2, 0), ("left twenty five mm", 2, 1), ("left five mm", 1, 1)],
+)
+def test_a_place_within_a_number_leads_to_its_beginning(text: str, at: int, start: int) -> None:
+    assert phrasebook().numbers.start(text.split(), at) == start
+
+
+@pytest.mark.parametrize(("text", "value"), [("half of ninety", 45.0), ("a third of 60", 20.0)])
+def test_a_part_of_a_number_is_that_much_of_it(text: str, value: float) -> None:
+    found = phrasebook().numbers.number(text.split(), 0)
+    assert found is not None
+    assert found[0] == pytest.approx(value)

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from assistant.language.templates import all_words, compiled, first_words, matches
+from assistant.language.templates import all_words, compiled, first_words, last_words, matches
 
 
 def bound(template: str, text: str) -> list[dict[str, str]]:
@@ -44,3 +44,17 @@ def test_every_match_begins_with_a_first_word(words: list[str]) -> None:
 
 def test_a_slot_inside_a_choice_may_be_followed_by_more() -> None:
     assert bound("(it|the {x}) is {value}", "the cup is red") == [{"x": "cup", "value": "red"}]
+
+
+@given(st.lists(st.sampled_from(["a", "b", "c"]), max_size=4))
+def test_every_match_ends_with_a_last_word(words: list[str]) -> None:
+    nodes = compiled("[a] (b|c a) [(b c|b)]", {}, {})
+    lasts = last_words(nodes)
+    assert lasts == frozenset("abc")
+    if any(True for _ in matches(nodes, words)):
+        assert words[-1] in lasts
+
+
+def test_what_ends_in_a_slot_may_end_with_anything() -> None:
+    assert last_words(compiled("call it {name}", {}, {})) is None
+    assert last_words(compiled("call {name} (now|again)", {}, {})) == frozenset(("now", "again"))

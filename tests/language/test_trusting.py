@@ -7,11 +7,14 @@ from assistant.language.phrasebook import phrasebook
 from assistant.language.trusting import (
     chatting,
     consenting,
+    is_nameless,
     names_step,
+    only_part,
     strange,
     trusted_from,
     wondered,
 )
+from assistant.language.understanding import understand
 from assistant.language.words import words_of
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
@@ -21,6 +24,7 @@ from assistant.model.teacher_acts import (
     Inform,
     Optional,
     Rename,
+    Save,
     Translate,
     Unknown,
     Where,
@@ -82,3 +86,18 @@ def test_a_question_of_why_asks_for_nothing_to_be_done() -> None:
     assert isinstance(act, Explain)
     other = words_of("episode 3 is mapped to insert", near.book.contractions)
     assert wondered(parse, other, near) is parse
+
+
+def test_a_part_of_what_is_explained_whole_is_no_other_reading() -> None:
+    left, up = Translate("left", distance_m=0.02), Translate("up", distance_m=0.01)
+    whole = Parse((left, up), 0.95, "motion")
+    assert only_part((left,), whole)
+    assert not only_part((left, up), whole)
+    assert not only_part((Translate("down"),), whole)
+    assert not only_part((left,), Parse((left, up), 0.7, "partly"))
+
+
+def test_saving_without_a_name_tells_none() -> None:
+    assert not is_nameless((Save("lamp"),))
+    assert is_nameless((Save(),))
+    assert understand("save", Listening("practice")).confidence >= 0.85
