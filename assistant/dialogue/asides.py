@@ -8,6 +8,7 @@ from dataclasses import replace
 from assistant.dialogue.adding import plan_corrected
 from assistant.dialogue.asking import ask, proceed, tell
 from assistant.dialogue.cut_words import recut
+from assistant.dialogue.doing_otherwise import does_at_once, does_otherwise
 from assistant.dialogue.goal_words import regoaled
 from assistant.dialogue.helping import help_line
 from assistant.dialogue.introduction import MOST_PARTS, all_understood
@@ -217,6 +218,8 @@ _REPLIES = (
     removed,
     swapped,
     split_into,
+    does_otherwise,
+    does_at_once,
     shown_again,
     shown_wrongly,
     order_freed,

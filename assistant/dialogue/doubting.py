@@ -16,7 +16,7 @@ from assistant.dialogue.placing import thing_meant
 from assistant.dialogue.sketch import names
 from assistant.dialogue.spots import SPOT, offered
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Watching
-from assistant.dialogue.things import things_in
+from assistant.dialogue.things import things_in, without_relative
 from assistant.dialogue.turn import Turn, Words, first, line, say
 from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
@@ -250,6 +250,7 @@ def _things_told(
 
 def _taking_things(dialogue: Dialogue, text: str) -> Turn | None:
     """Ask whether the things that words may name are those; who tells where one is names none."""
+    text = without_relative(text, dialogue.language)
     if mentions(text, hints("standing", dialogue.language)):
         return None
     named = tuple(one.name for one in things_in(text, dialogue.known.scene, dialogue.language))

@@ -100,7 +100,7 @@ def tells_body(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
 
 def answers_plainly(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...], text: str) -> bool:
     """Whether words plainly answer, by what they tell: an action, a size, a number, a place."""
-    if _tells_place(dialogue, meant):
+    if _tells_place(dialogue, meant) or _leaves_as_it_is(dialogue, meant):
         return True
     named = (isinstance(act, acts.Inform) or answers_by_words(dialogue, act) for act in meant)
     if not meant or not all(named):
@@ -152,6 +152,12 @@ def in_own_words(
         return meant
     short = size <= SHORT_STEP or not tells_action(values[0], dialogue.language)
     return (acts.Inform(said),) if short and tells_action(said, dialogue.language) else meant
+
+
+def _leaves_as_it_is(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:
+    """Whether who was about to leave says "wait", which changes nothing."""
+    leaving = dialogue.pending is not None and dialogue.pending.leave
+    return leaving and meant == (acts.Pause(),)
 
 
 def _tells_place(dialogue: Dialogue, meant: tuple[acts.TeacherAct, ...]) -> bool:

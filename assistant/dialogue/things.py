@@ -36,13 +36,19 @@ def things_in(value: Value, scene: Scene, language: str = "english") -> tuple[Ta
 def _in_sentences(text: str, scene: Scene, language: str) -> tuple[TaskObject, ...]:
     """Return the things of a text; "a can of beans. The can goes there" names one, twice."""
     found: list[TaskObject] = []
-    for sentence in re.split(r"[.!?](?:\s+|$)", text):
+    for sentence in re.split(r"[.!?](?:\s+|$)", without_relative(text, language)):
         there = [set(one.name.split()) for one in found]
         for one in things_in(_things(sentence, language), scene, language):
             again = any(set(one.name.split()) <= words for words in there)
             if one not in found and (one.name in scene.bodies or not again):
                 found.append(one)
     return tuple(found)
+
+
+def without_relative(text: str, language: str) -> str:
+    """Return a text without what it tells of a thing beside: "a board, which lies there"."""
+    begun = "|".join(map(re.escape, hints("relative", language)))
+    return re.sub(rf",?\s+(?:{begun})\b[^,;.!?]*", "", text, flags=re.IGNORECASE)
 
 
 def thing_names(scene: Scene, setup: Setup) -> list[str]:

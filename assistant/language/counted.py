@@ -44,11 +44,15 @@ def counted(words: Words, hearing: Hearing) -> Parse | None:
 
 
 def _listed_alone(words: Words, hearing: Hearing) -> Parse | None:
-    """Return the steps that are listed where their number was asked for: most tell an action."""
+    """Return the steps that are listed where their number was asked for.
+
+    The first tells an action, as most do: "goodness, how many?" is none.
+    """
     marks = sum(word.broken for word in words[1:])
     listed = _listed(words, marks + 1, hearing.book) if marks + 1 >= _FEWEST_ALONE else ()
-    acting = sum(read_action(one, (), hearing.language).action is not None for one in listed)
-    return Parse((Inform(listed),), _TOLD, "answer") if acting > len(listed) / 2 else None
+    acting = [read_action(one, (), hearing.language).action is not None for one in listed]
+    told = acting[:1] == [True] and sum(acting) > len(acting) / 2
+    return Parse((Inform(listed),), _TOLD, "answer") if told else None
 
 
 def only_counted(words: Words, hearing: Hearing) -> Parse | None:

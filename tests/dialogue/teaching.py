@@ -30,6 +30,7 @@ from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Scene
 from assistant.model.setup import Place, Setup
 from assistant.model.task import Action, Primitive, Subtask, Task, TaskObject
+from assistant.session.meaning import meant
 
 STEPS = (
     "approach object",
@@ -204,3 +205,10 @@ class Lessons:
         self.happen(ev.Arranged(moved("two", 30.0), SCENE))
         self.happen(ev.Checked(self.dialogue.known.setup, None, 9.0))
         return self.run().hear(acts.Approve())
+
+
+def said(teacher: Lessons, text: str) -> Lessons:
+    """Let a teacher say something that is understood as the program understands it."""
+    dialogue = teacher.dialogue
+    found = meant(dialogue, text, 1.0, dialogue.language)
+    return teacher.hear(*found.acts, text=text, sure=found.confidence)

@@ -14,17 +14,9 @@ from assistant.dialogue.state import Introducing
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.task import TaskObject
-from assistant.session.meaning import meant
-from tests.dialogue.teaching import Lessons
+from tests.dialogue.teaching import Lessons, said
 
 ODD = "pour me a cup of tea"
-
-
-def said(teacher: Lessons, text: str) -> Lessons:
-    """Let a teacher say something that is understood as the program understands it."""
-    dialogue = teacher.dialogue
-    found = meant(dialogue, text, 1.0, dialogue.language)
-    return teacher.hear(*found.acts, text=text, sure=found.confidence)
 
 
 def test_a_guess_at_an_answer_is_asked_about_as_that_answer() -> None:

@@ -27,8 +27,10 @@ def test_a_mistake_is_helped_with(text: str) -> None:
     assert named(teacher) == ["fetch it", "bring it"]
 
 
-def test_a_wrong_answer_is_taken_back_and_named() -> None:
-    text = "no that's wrong, go back"
+@pytest.mark.parametrize(
+    "text", ["no that's wrong, go back", "I am sorry, I answered too quickly, please undo that."]
+)
+def test_a_wrong_answer_is_taken_back_and_named(text: str) -> None:
     teacher = naming().hear(acts.Inform("go back"), text=text)
     assert teacher.topics[0] == "done.undone"
     assert teacher.lines[0].slots["names"] == ["bring it"]

@@ -30,6 +30,11 @@ def called(text: str, scene: Scene = STACK, language: str = "english") -> list[s
         # Which of them is not told: it is another thing.
         ("a block", ["block"]),
         ("the cups", ["cups"]),
+        # Where a thing lies is told beside and names none.
+        (
+            "You move the jar, and it goes onto the tray, which lies somewhere beside it.",
+            ["jar", "tray"],
+        ),
         # A full stop ends a thing, as a comma does; what is named again is the same.
         ("no. a can and a tray", ["can", "tray"]),
         ("a can of beans and a tray. the can goes on the tray", ["can of beans", "tray"]),

@@ -97,7 +97,7 @@ def _keys(value: Any, *above: str) -> Iterator[tuple[str, ...]]:
 
 OWN = {
     *("given", "numbers", "ordinals", "units", "things", "plurals", "colors", "scripted"),
-    *("letters", "labels", "problems", "key_names", "shares_of_a_second"),
+    *("letters", "labels", "problems", "key_names", "shares_of_a_second", "third_person"),
 }
 """What is keyed by the words of a language, or by English ones that it has others for."""
 
