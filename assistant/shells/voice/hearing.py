@@ -115,17 +115,22 @@ class Hearing:
         """Return what is doubted as sure, if another recognizer reads it too and nothing else.
 
         In a loud room no words explain the sound well; but noise seldom makes two models, of
-        which neither knows the other, read the same meaning.
+        which neither knows the other, read the same meaning. Of a lone word it does: "go" and
+        "no" differ by one sound, which either all hear or none.
         """
         doubted = heard.sure < 1.0 and not is_unknown(heard.understanding)
         if not (doubted and said.loud) or said.free:
             return heard
         last = said.readings[-1].recognizer
-        read = {one.acts for one in said.readings if one.commands and one.recognizer == last}
-        again = [one for one in self._reread(said) if one.commands and one.acts in read]
-        if {one.acts for one in again} != {heard.understanding.acts}:
+        read = {one.acts for one in said.readings if one.recognizer == last}
+        again = [
+            one for one in self._reread(said) if one.acts in read and not is_unknown(one.meant)
+        ]
+        # What is only guessed seconds nothing, but speaks against another meaning.
+        sure = [one for one in again if one.commands and " " in one.text]
+        if not sure or {one.acts for one in again} != {heard.understanding.acts}:
             return heard
-        return as_heard(again[0], 1.0)
+        return as_heard(sure[0], 1.0)
 
     def _reread(self, said: Said) -> Iterator[Reading]:
         """Yield the likeliest readings of those recognizers that can tell more than one."""

@@ -196,3 +196,10 @@ def test_in_a_quiet_room_what_is_doubted_stays_so() -> None:
     one = heard(Rereads(("go left", 0.5)), slow, sound=A_SECOND)
     loud = heard(Rereads(("go left", 0.5)), slow, sound=LOUD_ROOM)
     assert (one.sure < 1.0, loud.sure) == (True, 1.0)
+
+
+@pytest.mark.voice
+def test_a_lone_word_stays_doubted_whoever_reads_it_too() -> None:
+    slow = Weighs({"no": -9.0}, ("no", 0.5))
+    one = heard(Rereads(("no", 0.5)), slow, sound=LOUD_ROOM)
+    assert one.sure < 1.0
