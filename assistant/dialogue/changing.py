@@ -23,7 +23,7 @@ from assistant.dialogue.correcting import (
 from assistant.dialogue.directions import depends_on_facing, direction_of, squeezed
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
-from assistant.dialogue.finding import find_whole, name_at, spoken_of, unclear
+from assistant.dialogue.finding import acts_at, find_whole, name_at, spoken_of, unclear
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import at, leaves
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
@@ -102,7 +102,7 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
         index = find_whole(dialogue.known, act.where.subtask)
         if index is None:
             # "when you place it" is the step that opens the hand, whatever it is called.
-            meant = spoken_of(dialogue, act.where.subtask)
+            meant = spoken_of(dialogue, act.where.subtask) or acts_at(dialogue, act.where.subtask)
             return Place(meant, act.where.when) if meant else None
         return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
     run = dialogue.run

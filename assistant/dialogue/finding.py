@@ -19,7 +19,7 @@ from assistant.dialogue.sketch import (
 )
 from assistant.dialogue.state import Dialogue, Pending
 from assistant.dialogue.turn import Turn, changed, line
-from assistant.language.actions import read_action
+from assistant.language.actions import mentioned_objects, read_action
 from assistant.language.hints import hints
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
@@ -177,6 +177,16 @@ def spoken_of(dialogue: Dialogue, words: str) -> str:
     leaves = primitives(dialogue.known.task.tree)
     alike = [one.name for one in leaves if (one.action.verb, one.action.way) == action_key(action)]
     return alike[0] if len(alike) == 1 else ""
+
+
+def acts_at(dialogue: Dialogue, words: str) -> str:
+    """Return the one primitive in which the hand acts at a thing: "higher at the tray"."""
+    things = mentioned_objects(words, dialogue.known.objects or (), dialogue.language)
+    leaves = primitives(dialogue.known.task.tree)
+    there = [
+        one.name for one in leaves if one.action.verb == "hand" and one.action.object in things
+    ]
+    return there[0] if len(there) == 1 else ""
 
 
 def action_key(action: Action) -> tuple[str, str]:

@@ -245,6 +245,11 @@ def test_the_action_spoken_of_tells_where_a_correction_belongs() -> None:
     assert last(teacher).frame == "target"
 
 
+def test_a_thing_stands_for_the_step_in_which_the_hand_acts_at_it() -> None:
+    teacher = corrected(acts.Translate("up", where=acts.Where("block", "during")))
+    assert last(teacher).primitive == "grasp object"
+
+
 def test_no_to_a_large_change_leaves_all_as_it_was() -> None:
     teacher = corrected(acts.Translate("up", distance_m=0.03)).hear(acts.Deny())
     assert teacher.topics[0] == "told.as_it_was"
