@@ -128,9 +128,10 @@ def made(
             slots[slot] = (*slots.get(slot, ()), _name(words, (start, end), hearing))
         elif slot in _OWN:
             part = _bare(words[start:end], hearing)
-            text = (
-                told(part) if hearing.listening.asked == "goal" else said(part).removesuffix(OWNER)
-            )
+            if hearing.listening.asked == "goal":
+                text = told(_whole(part, words[:end], hearing))
+            else:
+                text = said(part).removesuffix(OWNER)
             slots[slot] = (*slots.get(slot, ()), text) if kind == "inform many" else text
         elif slot != "amount":
             slots[slot] = _name(words, (start, end), hearing)
@@ -168,6 +169,14 @@ def _name(words: Words, span: tuple[int, int], hearing: Hearing) -> str:
     if len(behind) == 2 and behind[0] in little["owned_by"] and behind[1] in little["pronoun"]:
         end += 2
     return named_text(words, (start, end), hearing).removesuffix(OWNER)
+
+
+def _whole(part: Words, until: Words, hearing: Hearing) -> Words:
+    """Return a goal with its article, which a sentence keeps and a name does not."""
+    begun = len(until) - len(part)
+    led = part and begun and until[-len(part) :] == part
+    there = led and until[begun - 1].text in hearing.book.little["articles"]
+    return until[begun - 1 :] if there else part
 
 
 def _bare(words: Words, hearing: Hearing) -> Words:
