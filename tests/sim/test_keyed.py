@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
 from assistant.geometry import compose, quat_to_rotvec, rotate_vector
 from assistant.model.motion import Refusal
-from assistant.ports import HandSample
 from sim import a465
 from sim.hands import KeyedHand
 from sim.kinematic_arm import KinematicArm
 from sim.kinematics import forward, limit_margin
 from sim.planner import A465Planner
-from sim.sensor import InHandSensor, PlaceNoise
+from tests.sim.keying import settled
 from tests.sim.placing import lesson
 
 
@@ -222,12 +219,6 @@ def test_steps_are_chosen_and_told_and_near_the_table_they_are_fine(hand: KeyedH
     assert pose[2] - before[2] == pytest.approx(0.010, abs=1e-6)
 
 
-def settled(hand: KeyedHand, key: str, count: int = 1, ticks: int = 150) -> HandSample:
-    for _ in range(count):
-        hand.press(key)
-    return [hand.tick() for _ in range(ticks)][-1]
-
-
 def test_the_last_moves_are_taken_back_with_their_time(hand: KeyedHand) -> None:
     shown = [hand.tick(), settled(hand, "a", 6), settled(hand, "w", 4), settled(hand, "c")]
     assert shown[-1].gripper_m == 0.0
@@ -305,58 +296,3 @@ def test_a_tap_ends_abreast_of_the_thing_it_would_pass(axis: int, key: str) -> N
             hand.tick()
         # The next one goes on as ever.
         assert abs(arm.look().hand[axis] - goal) == pytest.approx(wanted, abs=2e-5)
-
-
-def test_what_is_in_the_hand_shortens_no_step() -> None:
-    _, scene, setup = lesson()
-    arm = KinematicArm()
-    block = replace(setup.places["block"], kind="hand")
-    beside = replace(setup, robot_start=block)
-    arm.arrange(scene, beside)
-    hand = KeyedHand(arm, A465Planner(), scene, beside)
-    hand.press("c")
-    for _ in range(80):
-        hand.tick()
-    assert arm.look().held == "block"
-    before = arm.look().hand[2]
-    for _ in range(2):
-        hand.press("r")
-        for _ in range(30):
-            hand.tick()
-    assert arm.look().hand[2] - before == pytest.approx(0.010, abs=1e-5)
-
-
-def test_what_is_held_may_be_put_on_any_body() -> None:
-    _, scene, setup = lesson()
-    arm = KinematicArm()
-    arm.arrange(scene, replace(setup, robot_start=replace(setup.places["block"], kind="hand")))
-    hand = KeyedHand(arm, A465Planner(), scene, setup)
-    hand.press("c")
-    for _ in range(80):
-        hand.tick()
-    target = scene.hand_pose("target", setup.places["target"])
-    above = target[:3] + np.array([0.0, 0.0, 0.15])
-    for goal in (arm.look().hand[:3] + np.array([0.0, 0.0, 0.15]), above, target[:3]):
-        away = goal - arm.look().hand[:3]
-        hand.lead((float(away[0]), float(away[1]), float(away[2])))
-        for _ in range(60 + round(np.linalg.norm(away) / 0.0012)):
-            hand.tick()
-        assert hand.state.blocked is None
-    assert arm.look().hand[:3] == pytest.approx(target[:3], abs=1e-4)
-    assert arm.look().held == "block"
-
-
-@pytest.mark.parametrize("seed", [1, 2, 5])
-def test_a_thing_that_sits_elsewhere_in_the_hand_is_let_go_all_the_same(seed: int) -> None:
-    _, scene, setup = lesson()
-    noise = PlaceNoise(0.02, 12.0, seed)
-    arm = KinematicArm(sensor=InHandSensor(), noise=noise)
-    beside = replace(setup, robot_start=replace(setup.places["block"], kind="hand"))
-    arm.arrange(scene, beside)
-    hand = KeyedHand(arm, A465Planner(), scene, beside)
-    assert settled(hand, "c").gripper_m == pytest.approx(0.04, abs=0.021)
-    assert arm.look().held == "block"
-    settled(hand, "r", 4)
-    assert settled(hand, "o").gripper_m == pytest.approx(0.08)
-    assert arm.look().held == ""
-    assert hand.state.blocked is None
