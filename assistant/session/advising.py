@@ -118,6 +118,3 @@ def _about(refusal: Refusal, things: Sequence[str]) -> bool:
     return any(
         thing and (names_thing(refusal.where, thing) or refusal.what == thing) for thing in things
     )
-
-
-__all__ = ["NOTHING", "advised", "concerned", "moved", "without"]

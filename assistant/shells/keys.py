@@ -140,7 +140,9 @@ class Driving:
     def _see(self, sample: HandSample) -> None:
         """Record a sample; while the hand takes something back nothing is recorded."""
         if self._hand.state.returning:
-            self._hand.say(sample.said) if sample.said else None
+            if sample.said:
+                # Words are not taken back: they go with the next sample that counts.
+                self._hand.say(sample.said)
             return
         watching, shown = self._session.watching, self._begun(sample)
         if watching is not None and (shown is None or shown.t_s <= watching.shown_s):

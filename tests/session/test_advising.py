@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from assistant.dialogue.advice import concerned, moved
 from assistant.dialogue.reporting import refusal_line
 from assistant.language.speech import phrase
 from assistant.learning.adaptation import adapt, plan_adaptation
@@ -15,7 +16,7 @@ from assistant.model.motion import Refusal
 from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body, Obstacle, Scene
 from assistant.model.setup import Place, Setup
-from assistant.session.advising import NOTHING, advised, concerned, moved
+from assistant.session.advising import NOTHING, advised
 from sim.planner import A465Planner
 from tests.session.test_practice import learned
 from tests.sim.hand_paths import scene, setup
