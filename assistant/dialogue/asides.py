@@ -26,6 +26,7 @@ from assistant.dialogue.plan_words import (
 )
 from assistant.dialogue.replying import in_state
 from assistant.dialogue.several import told_several
+from assistant.dialogue.shapes import told_shape
 from assistant.dialogue.shown_wrongly import shown_wrongly
 from assistant.dialogue.sizes import told_size
 from assistant.dialogue.sketch import Sketch, at, counted, put, with_parts
@@ -224,6 +225,7 @@ _REPLIES = (
     shown_wrongly,
     order_freed,
     told_size,
+    told_shape,
     told_several,
     slip,
     no_thing,

@@ -28,7 +28,6 @@ GAP_MM, ROUND_MM, STEP_MM = 50.0, 10.0, 50.0
 SIDES: dict[Side, str] = {
     "left": "left",
     "right": "right",
-    "beside": "left",
     "front": "backward",
     "behind": "forward",
 }
@@ -126,6 +125,9 @@ def _way(known: Knowledge, found: Relation, base: np.ndarray) -> np.ndarray:
     """Return the direction, shape (3,), in which the thing is; the robot stands at the origin."""
     if found.side in SIDES:
         return np.asarray(move_in_world(SIDES[found.side], known.facing))
+    if found.side == "beside":
+        # Toward the middle of the table there is more room.
+        return np.array([0.0, 1.0 if base[1] < 0.0 else -1.0, 0.0])
     away = np.array([base[0], base[1], 0.0])
     outward = away / max(float(np.linalg.norm(away)), 1e-9)
     return outward if found.side == "farther" else -outward

@@ -92,6 +92,13 @@ def standing(known: Knowledge, thing: str, hand: Array) -> Place:
     return replace(place, xyz_mm=(x, y, round(z - lower_mm, 3)))
 
 
+def plain_size(known: Knowledge, thing: str) -> dict[str, object]:
+    """Return what shape and size, in cm, a thing is taken to have."""
+    body = known.scene.bodies[thing]
+    x, y, z = (round(side / 10.0, 1) for side in body.size_mm)
+    return {"name": thing, "shape": body.shape, "x": x, "y": y, "z": z}
+
+
 def too_wide(known: Knowledge) -> str:
     """Return what is to be carried though the fingers cannot be put around it; empty if all can.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from assistant.dialogue.asking import ask, index_of, tell
+from assistant.dialogue.asking import PRACTICE, ask, index_of, tell
 from assistant.dialogue.correcting import (
     SPEEDS,
     Correction,
@@ -25,6 +25,7 @@ from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
 from assistant.dialogue.finding import acts_at, find_whole, name_at, spoken_of, unclear
 from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.runs import Pace
 from assistant.dialogue.sketch import at, leaves
 from assistant.dialogue.state import Dialogue, Introducing, Pending, Ran, Ready, Running
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say, then, with_other
@@ -156,7 +157,7 @@ def add(dialogue: Dialogue, feedback: Feedback, *, instead: bool = False) -> Tur
     if feedback.kind == "speed" and not SPEEDS[0] <= speed_of(known) <= SPEEDS[1]:
         return _as_far_as_it_goes(dialogue, feedback, given)
     after = corrected(changed(dialogue, "correction", known))
-    return told_of(after, told(known, feedback))
+    return told_of(after, told(known, feedback, dialogue.pace))
 
 
 def _as_far_as_it_goes(dialogue: Dialogue, feedback: Feedback, given: tuple[Feedback, ...]) -> Turn:
@@ -174,7 +175,7 @@ def _as_far_as_it_goes(dialogue: Dialogue, feedback: Feedback, given: tuple[Feed
     kept = replace(dialogue.known, lesson=replace(lesson, feedback=(*given, nearer)))
     after = corrected(changed(dialogue, "correction", kept))
     limit = line("told", "speed_limit", least=least, most=most)
-    said = say(after, told(kept, nearer))[1]
+    said = say(after, told(kept, nearer, dialogue.pace))[1]
     return first(said, told_of(after, limit))
 
 
@@ -184,7 +185,7 @@ def corrected(dialogue: Dialogue) -> Dialogue:
     return replace(dialogue, run=replace(run, corrected=True) if run is not None else None)
 
 
-def told(known: Knowledge, feedback: Feedback) -> RobotAct:
+def told(known: Knowledge, feedback: Feedback, pace: Pace) -> RobotAct:
     """Return the line that says what was changed, in mm, degrees or percent."""
     primitive = feedback.primitive
     about = About(primitive, index_of(known, primitive)) if primitive else None
@@ -198,6 +199,9 @@ def told(known: Knowledge, feedback: Feedback) -> RobotAct:
         slots["squeezed"] = squeezed(known, feedback)
     if topic == "speed":
         topic = "faster" if feedback.factor > 1 else "slower"
+        # What is practiced slowly is not as fast as the number says.
+        slowly = round(100.0 * speed_of(known) * PRACTICE.slow)
+        slots["slowly"] = slowly if pace == "slow" else None
         topic = f"{topic}_at" if primitive else topic
     elif topic == "hand":
         topic = f"hand_at_{feedback.hand}"

@@ -19,7 +19,7 @@ from assistant.model import teacher_acts as acts
 
 def denied(dialogue: Dialogue, pending: Pending) -> Turn:
     """Take a no to a question in between; where there is another reading, read that back."""
-    free = replace(dialogue, pending=None)
+    free = replace(dialogue, pending=pending.over)
     if pending.line.topic == heard_names.TOPIC:
         return tell(free, line("told", "say_or_spell"))
     if pending.line.topic == SHOW_AGAIN:

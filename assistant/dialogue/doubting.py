@@ -50,7 +50,9 @@ def is_guess(pending: Pending | None) -> bool:
 
 def without_guess(dialogue: Dialogue) -> Dialogue:
     """Return the dialogue as it was before a guess was read back."""
-    return replace(dialogue, pending=None) if is_guess(dialogue.pending) else dialogue
+    pending = dialogue.pending
+    guessed = pending is not None and is_guess(pending)
+    return replace(dialogue, pending=pending.over) if pending and guessed else dialogue
 
 
 def doubted(
@@ -92,7 +94,8 @@ def doubted(
     meant = tuple(act for act in meant if not isinstance(act, acts.Affirm | acts.Deny)) or meant
     told = [_told(act, words.text) for act in meant]
     guess = line("confirm", _topic(dialogue, meant), asked="did_you_mean", acts=told)
-    pending = Pending("did_you_mean", guess, meant, words.text, other=other)
+    over = without_guess(dialogue).pending
+    pending = Pending("did_you_mean", guess, meant, words.text, other=other, over=over)
     return _asked_between(dialogue, pending)
 
 
@@ -106,8 +109,7 @@ def misunderstood(dialogue: Dialogue, words: Words) -> Turn:
     """Tell that nothing was understood; the second time also what can be said now."""
     if isinstance(dialogue.state, Watching):
         return dialogue, ()
-    pending = None if is_guess(dialogue.pending) else dialogue.pending
-    missed = replace(dialogue, misses=dialogue.misses + 1, pending=pending)
+    missed = replace(without_guess(dialogue), misses=dialogue.misses + 1)
     if dialogue.misses == 0:
         return tell(missed, line("error", "not_understood"))
     # Whoever was helped begins anew: what is said next may be guessed again.

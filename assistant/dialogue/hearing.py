@@ -232,7 +232,7 @@ def _answer_pending(dialogue: Dialogue, act: acts.TeacherAct, words: Words) -> T
         return None
     if pending.asked == "unsaved":
         return keeping.answer_unsaved(dialogue, act)
-    free = replace(dialogue, pending=None)
+    free = replace(dialogue, pending=pending.over)
     if pending.line.topic == showing.FORGET:
         return showing.begun(dialogue, act)
     if pending.asked == "facing":

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assistant.dialogue.bodies import fitted
+from assistant.dialogue.bodies import fitted, plain_size
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.sketch import Sketch, at, put, walk
 from assistant.dialogue.state import Introducing
@@ -100,8 +100,11 @@ def question(known: Knowledge, state: Introducing) -> RobotAct:
             return line(
                 "ask", "objects", asked="objects", about=node, name=node.name, things=things
             )
-        case "body" | "pose":
-            return line("ask", state.asked, asked=state.asked, about=node, thing=state.thing)
+        case "body":
+            return line("ask", "body", asked="body", about=node, thing=state.thing)
+        case "pose":
+            size = plain_size(known, state.thing) if state.thing in known.shaped else None
+            return line("ask", "pose", asked="pose", about=node, thing=state.thing, size=size)
         case "confirm_tree":
             return line("confirm", "tree", asked="confirm_tree", about=node, **_read_back(known))
         case "subtask_count" if state.index:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cache
 
 from assistant.dialogue.asking import proceed, tell
-from assistant.dialogue.bodies import with_body
+from assistant.dialogue.bodies import plain_size, with_body
 from assistant.dialogue.doubting import is_guess, without_guess
 from assistant.dialogue.introduction import all_understood
 from assistant.dialogue.knowledge import Knowledge
@@ -16,14 +16,15 @@ from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing
 from assistant.dialogue.things import placed, things_in
 from assistant.dialogue.turn import Turn, Words, changed, first, line, say
 from assistant.language.actions import mentioned_objects, read_action
-from assistant.language.bodies import read_body
+from assistant.language.bodies import read_body, read_lengths_mm
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
-from assistant.model.robot_acts import RobotAct
 from assistant.model.task import TaskObject
 
 LONGEST_THING = 3
 """Words of a thing's name out of a sentence; more are a piece of it."""
+DEEP_MM = 60.0
+"""Nobody puts a thing so far below a table's top, however coarsely they measure."""
 
 
 def told_size(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -> Turn | None:
@@ -50,24 +51,32 @@ def told_size(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = (
         return None
     naming = isinstance(state, Introducing) and state.asked == "task_name"
     # A name that was guessed is asked for again.
-    told = say(free, size_line(sized, thing))[1]
+    told = say(free, line("told", "size", size=plain_size(sized, thing)))[1]
     return first(told, proceed(changed(dialogue if naming else free, "body", sized)))
 
 
 def _described(dialogue: Dialogue, text: str) -> bool:
     """Whether words of size stand beside the numbers of a text, or a shape."""
     language, state = dialogue.language, dialogue.state
-    told = mentions(text, hints("size_words", language))
+    told = mentions(text, hints("size_words", language)) or _in_a_table(dialogue, text)
     if isinstance(state, Introducing) and state.asked != "goal":
         told = told or bool(matter(text, "shapes", language))
     plain = without_sizes(text, language)
     return told and read_action(plain, (), language).action is None
 
 
-def size_line(known: Knowledge, thing: str) -> RobotAct:
-    """Return the line that tells how big a thing is taken to be."""
-    cm = [round(side / 10.0, 1) for side in known.scene.bodies[thing].size_mm]
-    return line("told", "size", thing=thing, x=cm[0], y=cm[1], z=cm[2])
+def _in_a_table(dialogue: Dialogue, text: str) -> bool:
+    """Whether lengths "by" each other, taken for a place, would lie deep in every table.
+
+    "15 by 15 by 1 cm" is how big a thing is, also where it was asked where it is.
+    """
+    state, language = dialogue.state, dialogue.language
+    sides = read_lengths_mm(text, language)
+    between = any(one in text.lower() for one in hints("size_by", language))
+    if not isinstance(state, Introducing) or state.asked != "pose" or len(sides) != 3:
+        return False
+    tops = [one.xyz_mm[2] + one.size_mm[2] for one in dialogue.known.scene.tables]
+    return between and bool(tops) and sides[2] < min(tops) - DEEP_MM
 
 
 def tells_size(text: str, language: str) -> bool:
@@ -123,13 +132,19 @@ def _things_with_sizes(dialogue: Dialogue, text: str) -> Turn | None:
         # "The jar is 6 cm tall" names one thing of those that are asked for.
         told = _with_size(known, things[0].name, text)
         noted = changed(dialogue, "body", told)
-        return tell(noted, size_line(told, things[0].name)) if told != known else None
+        return (
+            tell(noted, line("told", "size", size=plain_size(told, things[0].name)))
+            if told != known
+            else None
+        )
     sized = all_understood(replace(known, objects=things))
     for thing, clause in _clauses(text, things):
         sized = _with_size(sized, thing.name, clause)
     lines = [line("done", "things", names=[one.name for one in things])]
     new = [one.name for one in things if sized.scene.bodies.get(one.name) is not None]
-    lines += [size_line(sized, name) for name in new if name in sized.shaped]
+    lines += [
+        line("told", "size", size=plain_size(sized, name)) for name in new if name in sized.shaped
+    ]
     after = changed(dialogue, "objects", sized, clean=dialogue.clean)
     return first(say(after, *lines)[1], proceed(after))
 

@@ -143,6 +143,8 @@ class Pending:
         For ``unsaved``: what else follows the answer.
     other : tuple of TeacherAct
         For a guess: what the teacher means if not that.
+    over : Pending or None
+        For a guess: the question that the words may have answered; open again after it.
     """
 
     asked: Asked
@@ -153,6 +155,7 @@ class Pending:
     leave: bool = False
     after: After = ("", "")
     other: tuple[TeacherAct, ...] = ()
+    over: Pending | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import cache
@@ -148,14 +149,23 @@ def placed(
 ) -> tuple[TaskObject, ...]:
     """Return things, new ones that something is put on as targets: "the cup is on the saucer"."""
     on, articles = _any("rests_on", language), _any("articles", language)
+    heads = Counter(_head(thing) for thing in things)
     out = []
     for thing in things:
-        said = rf"\b(?:{on})\s+(?:(?:{articles})\s+)*{re.escape(thing.name)}\b"
+        # "On the board" is on the wooden board, where no other one is named.
+        short = (_head(thing),) if heads[_head(thing)] == 1 else ()
+        called = "|".join(map(re.escape, (thing.name, *short)))
+        said = rf"\b(?:{on})\s+(?:(?:{articles})\s+)*(?:{called})\b"
         under = any(re.search(said, text, re.IGNORECASE) for text in told)
         new = thing.name not in scene.bodies
         out.append(replace(thing, role="target") if under and new else thing)
     # Where all are put on each other, none is only a place.
     return things if all(one.role == "target" for one in out) else tuple(out)
+
+
+def _head(thing: TaskObject) -> str:
+    """Return the last word of a name: "board" of a wooden board."""
+    return (thing.name.lower().split() or [""])[-1]
 
 
 def _any(part: str, language: str) -> str:

@@ -133,6 +133,26 @@ def _place(wording: Wording, value: Mapping[str, Any]) -> str:
     return wording.words("place", slots)
 
 
+def _seen(wording: Wording, value: Mapping[str, Any]) -> str:
+    """Return where a place is as seen from the robot's base, in words and centimetres."""
+    x, y, _ = (round(one / 10.0) for one in value["xyz_mm"])
+    told = [("ahead" if x >= 0 else "back", abs(x)), ("left" if y >= 0 else "right", abs(y))]
+    ways: Mapping[str, str] = wording.book["words"]["seen"]
+    return wording.joined([wording.filled(ways[way], {"far": far}) for way, far in told if far])
+
+
+def _sized(wording: Wording, value: Mapping[str, Any]) -> str:
+    """Return what shape and size a thing is taken to have."""
+    ways: Mapping[str, str] = wording.book["words"]["sized"]
+    return wording.filled(ways.get(value["shape"], ways["box"]), value)
+
+
+def _lag(wording: Wording, value: float) -> str:
+    """Return how far cues are from what they tell of, and on which side."""
+    ways: Mapping[str, str] = wording.book["words"]["lags"]
+    return wording.filled(ways["late" if value >= 0.0 else "early"], {"s": abs(value)})
+
+
 def _sizes(wording: Wording, value: Mapping[str, Any]) -> str:
     told = [
         wording.words("size_of", {"name": name, "x": x, "y": y, "z": z})
@@ -260,6 +280,9 @@ KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
     "sizes": _sizes,
     "tree": _tree,
     "place": _place,
+    "seen": _seen,
+    "lag": _lag,
+    "sized": _sized,
     "places": _places,
     "episodes": _episodes,
     "alignments": _alignments,

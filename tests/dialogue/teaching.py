@@ -150,6 +150,10 @@ class Lessons:
         asked = [one.asked for one in self.lines if one.asked]
         return asked[-1] if asked else None
 
+    @property
+    def things(self) -> tuple[TaskObject, ...]:
+        return self.dialogue.known.objects or ()
+
     def did(self, kind: type[fx.Effect]) -> bool:
         return any(isinstance(one, kind) for one in self.effects)
 

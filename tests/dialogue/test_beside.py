@@ -14,6 +14,7 @@ from assistant.geometry import pose_to_mm_deg
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
 from assistant.model.motion import Refusal
+from assistant.model.setup import Place
 from tests.dialogue.teaching import SCENE, SETUP, Lessons, moved
 
 
@@ -142,3 +143,19 @@ def test_it_is_what_the_robot_advised_to_move() -> None:
     away = np.linalg.norm(at_mm(teacher.dialogue.known, "target")[:2])
     assert away == pytest.approx(np.linalg.norm(at_mm(before, "target")[:2]) + 50.0, abs=0.1)
     assert at_mm(teacher.dialogue.known, "block") == pytest.approx(at_mm(before, "block"))
+
+
+@pytest.mark.parametrize(("y_mm", "side"), [(150.0, -1.0), (-150.0, 1.0)])
+def test_just_beside_is_toward_the_middle_and_asks_for_no_left(y_mm: float, side: float) -> None:
+    lesson = Lessons().ready()
+    known = lesson.dialogue.known
+    places = {**known.setup.places, "target": Place("body", (450.0, y_mm, 240.0))}
+    setup = replace(known.setup, places=places)
+    lesson.dialogue = replace(lesson.dialogue, known=replace(known, setup=setup))
+    lesson.hear(acts.Unknown(), text="put the block beside the target", sure=0.4)
+    assert lesson.asked != "facing"
+    after = lesson.dialogue.known
+    gap = at_mm(after, "block") - at_mm(after, "target")
+    assert (gap[0], gap[1] * side) == (pytest.approx(0.0, abs=0.1), pytest.approx(110.0, abs=0.1))
+    read_back = next(one for one in lesson.lines if one.topic == "place")
+    assert "cm in front of me" in phrase(read_back)

@@ -210,3 +210,18 @@ def test_what_was_never_done_to_its_end_is_saved_with_a_warning() -> None:
     # Of a task that was loaded it is not known what it did before.
     teacher = Lessons().open(tree_task(lesson())).hear(acts.Save("a")).happen(ev.Kept("a"))
     assert "even once" not in phrase(teacher.lines[0])
+
+
+def test_a_guessed_save_still_answers_the_question_before_leaving() -> None:
+    teacher = Lessons().ready().hear(acts.Quit())
+    teacher.hear(acts.Save(), text="save it I guess", sure=0.5)
+    assert teacher.asked == "did_you_mean"
+    assert teacher.hear(acts.Affirm()).did(fx.Keep)
+    assert teacher.happen(ev.Kept("pick and place")).did(fx.Leave)
+
+
+def test_a_guess_denied_leaves_the_question_before_it_open() -> None:
+    teacher = Lessons().ready().hear(acts.Quit())
+    teacher.hear(acts.Save(), text="save it I guess", sure=0.5).hear(acts.Deny())
+    assert teacher.asked == "unsaved"
+    assert teacher.hear(acts.Deny()).did(fx.Leave)

@@ -41,7 +41,7 @@ def test_how_big_a_thing_is_taken_to_be_is_told() -> None:
     teacher = Lessons().ready().hear(acts.Unknown(), text="what size is the block?")
     assert teacher.topics == ["told.size", "ask.ready_slow"]
     size_mm = teacher.dialogue.known.scene.bodies["block"].size_mm
-    told = teacher.lines[0].slots
+    told = teacher.lines[0].slots["size"]
     assert [10.0 * float(told[axis]) for axis in "xyz"] == pytest.approx(size_mm)
     assert "told.size" not in Lessons().ready().hear(acts.Unknown(), text="how big?").topics
 

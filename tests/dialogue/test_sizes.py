@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from assistant.dialogue.sizes import tells_size, without_sizes
 from assistant.language.speech import phrase
 from assistant.model import teacher_acts as acts
+from assistant.model.scene import Obstacle
 from tests.dialogue.teaching import Lessons
 
+TABLE = Obstacle("table", (1800.0, 1800.0, 20.0), (0.0, 0.0, 220.0))
 FIRST = "a small tea box 4 cm, put it on a book thats on the table to the right of it"
 
 
@@ -83,3 +87,27 @@ def test_the_size_of_one_thing_is_no_list_of_all() -> None:
     teacher.hear(acts.Unknown(), text="the tea box is 4 cm wide and 6 high")
     assert teacher.topics == ["told.size", "ask.objects"]
     assert teacher.dialogue.known.objects is None
+
+
+def asked_where() -> Lessons:
+    """Return a lesson with a table in which it is asked where a thing is."""
+    teacher = Lessons().open().tell("tea box").tell("the tea box is on the coaster")
+    known = teacher.dialogue.known
+    scene = replace(known.scene, tables=(TABLE,))
+    teacher.dialogue = replace(teacher.dialogue, known=replace(known, scene=scene))
+    return teacher.tell(("tea box", "coaster")).tell("a box, 6 by 4 by 7 centimetres")
+
+
+def test_lengths_by_each_other_are_a_size_also_where_a_place_is_asked() -> None:
+    teacher = asked_where()
+    teacher.hear(acts.SetPose("", position_mm=(15.0, 15.0, 1.0)), text="15 by 15 by 1 cm")
+    assert teacher.topics[0] == "told.size"
+    assert teacher.dialogue.known.scene.bodies["coaster"].size_mm == (150.0, 150.0, 10.0)
+    assert not teacher.dialogue.known.setup.places.get("tea box")
+
+
+def test_lengths_that_could_be_a_place_are_one_where_a_place_is_asked() -> None:
+    teacher = asked_where()
+    told = acts.SetPose("", position_mm=(450.0, 100.0, 240.0))
+    teacher.hear(told, text="450 x 100 x 240")
+    assert teacher.dialogue.known.setup.places["tea box"].xyz_mm == (450.0, 100.0, 240.0)

@@ -156,6 +156,21 @@ def test_slots_become_words() -> None:
     assert phrase(announce, brief=True) == '"grasp object".'
 
 
+@pytest.mark.parametrize(
+    ("lag_s", "told"), [(0.3, "about 0.3 s after"), (-0.4, "about 0.4 s before")]
+)
+def test_cues_are_told_to_come_after_or_before(lag_s: float, told: str) -> None:
+    slots = {"count": 1, "episodes": [], "cue_lag_s": lag_s}
+    assert told in phrase(RobotAct("read_back", "episodes", slots=slots))
+
+
+def test_a_place_is_told_as_seen_from_the_robot() -> None:
+    place = {"of": "body", "xyz_mm": [452.0, -148.0, 240.0], "rpy_deg": [0.0, 0.0, 0.0]}
+    slots = {"thing": "jar", "place": place}
+    said = phrase(RobotAct("read_back", "place", slots=slots))
+    assert said == "The jar is at 452, -148, 240 mm: 45 cm in front of me and 15 cm to my right."
+
+
 def test_empty_parts_are_left_out() -> None:
     refusal = {"where": "target", "what": "joint 5", "amount": 12.3, "unit": "deg"}
     told = phrase(RobotAct("refuse", "joint_limit", slots={**refusal, "hint": "turn"}))
