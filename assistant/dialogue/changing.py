@@ -23,7 +23,7 @@ from assistant.dialogue.correcting import (
 from assistant.dialogue.directions import depends_on_facing, direction_of, squeezed
 from assistant.dialogue.effects import Jog, SetHand
 from assistant.dialogue.elsewhere import stands_elsewhere
-from assistant.dialogue.finding import acts_at, find_whole, name_at, spoken_of, unclear
+from assistant.dialogue.finding import acts_at, find_whole, name_at, spoken_of, unclear, way_to
 from assistant.dialogue.knowledge import Knowledge
 from assistant.dialogue.runs import Pace
 from assistant.dialogue.sketch import at, leaves
@@ -106,6 +106,9 @@ def _place(dialogue: Dialogue, act: Correction, words: str) -> Place | None:
             meant = spoken_of(dialogue, act.where.subtask) or acts_at(dialogue, act.where.subtask)
             return Place(meant, act.where.when) if meant else None
         return Place(_leaf_under(dialogue, name_at(dialogue.known, index)), act.where.when)
+    way = way_to(dialogue, words) if isinstance(act, acts.Translate) else ""
+    if way:
+        return Place(way, "before")
     run = dialogue.run
     leaves = primitives(dialogue.known.task.tree)
     going = isinstance(dialogue.state, Running) and run is not None

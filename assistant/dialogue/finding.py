@@ -17,10 +17,10 @@ from assistant.dialogue.sketch import (
     names,
     walk,
 )
-from assistant.dialogue.state import Dialogue, Pending
+from assistant.dialogue.state import Dialogue, Pending, Running
 from assistant.dialogue.turn import Turn, changed, line
 from assistant.language.actions import mentioned_objects, read_action
-from assistant.language.hints import hints
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 from assistant.model.robot_acts import RobotAct
 from assistant.model.task import Action, Index, primitives
@@ -187,6 +187,22 @@ def acts_at(dialogue: Dialogue, words: str) -> str:
         one.name for one in leaves if one.action.verb == "hand" and one.action.object in things
     ]
     return there[0] if len(there) == 1 else ""
+
+
+def way_to(dialogue: Dialogue, words: str) -> str:
+    """Return the primitive before which a way is meant: "carry it higher", "higher on the way".
+
+    In motion that is the next one in which the hand acts, else the last.
+    """
+    known, run = dialogue.known, dialogue.run
+    if known.lesson is None or not mentions(words, hints("on_the_way", dialogue.language)):
+        return ""
+    names = [leaf.name for leaf in primitives(known.task.tree)]
+    acted = [one.primitive for one in known.lesson.stations if one.primitive in names]
+    moving = run is not None and isinstance(dialogue.state, Running)
+    now = run.primitive_at if run is not None and moving else len(names)
+    ahead = [one for one in acted if names.index(one) >= now]
+    return next(iter(ahead), acted[-1] if acted else "")
 
 
 def action_key(action: Action) -> tuple[str, str]:

@@ -283,3 +283,17 @@ def test_when_you_place_it_is_where_the_hand_lets_go_and_not_as_it_leaves() -> N
     assert last(teacher).primitive == "place object on target"
     teacher.hear(acts.Translate("up", where=acts.Where("move back", "during")))
     assert last(teacher).primitive == "move back"
+
+
+@pytest.mark.parametrize(
+    "text", ["carry it higher", "higher on the way", "carry the block 2 cm higher"]
+)
+def test_what_is_corrected_on_the_way_leaves_the_release_where_it_was(text: str) -> None:
+    teacher = Lessons().ready().run().hear(acts.Translate("up"), text=text)
+    assert (last(teacher).primitive, last(teacher).when) == ("place object on target", "before")
+    assert 'before "place object on target"' in phrase(teacher.lines[0])
+
+
+def test_a_correction_of_no_way_is_one_of_the_release() -> None:
+    teacher = Lessons().ready().run().hear(acts.Translate("up"), text="put it down higher")
+    assert last(teacher).when == "during"
