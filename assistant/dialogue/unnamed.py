@@ -56,8 +56,12 @@ def no_step_of_its_own(dialogue: Dialogue, state: Reviewing) -> Turn | None:
     for n in reversed(alone):
         names[n] = next((name for name in names[n + 1 :] if name), "")
         names[n] = names[n] or next((name for name in reversed(names[:n]) if name), "")
-    assigned = tuple((number, name) for number, name in enumerate(names, start=1) if name)
-    cuts_s = tuple(one.to_s for one in episodes[:-1])
+    # What has joined another step is no part of its own any more.
+    joined = {n for one in alone for n in (one - 1, one) if names[n : n + 1] == names[n + 1 : n + 2]}
+    ends = [n for n in range(len(names) - 1) if n not in joined]
+    firsts = [0, *(n + 1 for n in ends)]
+    cuts_s = tuple(episodes[n].to_s for n in ends)
+    assigned = tuple((part, names[n]) for part, n in enumerate(firsts, start=1) if names[n])
     known = replace(dialogue.known, cuts_s=cuts_s, assigned=assigned)
     return learn(changed(dialogue, "assigned", known))
 

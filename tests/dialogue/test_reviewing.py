@@ -220,7 +220,7 @@ def test_what_is_no_step_of_its_own_belongs_to_the_step_it_leads_to() -> None:
     teacher.dialogue = replace(teacher.dialogue, known=replace(known, lesson=lost))
     learn = _wanted(Lessons(teacher.dialogue).hear(acts.Deny(), text="none"))
     assert dict(learn.assigned)[4] == STEPS[4]
-    assert learn.cuts_s == (2.0, 4.0, 6.0, 8.0)
+    assert learn.cuts_s == (2.0, 4.0, 6.0)
     assert _wanted(teacher.tell("none")) == learn
 
 
