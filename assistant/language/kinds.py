@@ -1,11 +1,11 @@
-"""How single slots of a line become words: lists, trees, conditions, places, episodes."""
+"""How single slots of a line become words: lists, trees, conditions, episodes, corrections."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from assistant.language.spatial_kinds import SPATIAL_KINDS
 from assistant.language.wording import Wording
 
 
@@ -25,11 +25,6 @@ def _answer(wording: Wording, value: Any) -> str:
     return _list(wording, value) if isinstance(value, list | tuple) else wording.told(value)
 
 
-def _numbers(wording: Wording, value: Any) -> str:
-    joint = str(wording.book["words"]["numbers"])
-    return joint.join(wording.number(one) for one in value)
-
-
 def _some(wording: Wording, value: Any) -> str:
     return str(value) if value else str(wording.book["words"]["none"])
 
@@ -43,32 +38,6 @@ def _ordinal(wording: Wording, value: Any) -> str:
 
 def _percent(wording: Wording, value: Any) -> str:
     return wording.words("percent", {"value": 100.0 * float(value or 0.0)})
-
-
-_AXES = (("forward", "backward"), ("left", "right"), ("up", "down"))
-
-
-def _ways(wording: Wording, value: Any) -> str:
-    """Return a displacement, x forward, y left, z up in mm, in the teacher's directions."""
-    told = [
-        f"{wording.number(abs(one))} mm {wording.told(ways[one < 0])}"
-        for one, ways in zip(value, _AXES, strict=True)
-        if one
-    ]
-    return wording.joined(told)
-
-
-def _turns(wording: Wording, value: Any) -> str:
-    """Return roll, pitch and yaw in degrees, or the yaw alone where there is nothing else."""
-    return _numbers(wording, value if any(value[:2]) else value[2:])
-
-
-def _mm(wording: Wording, value: Any) -> str:
-    return f"{wording.number(1000.0 * abs(float(value)))} mm"
-
-
-def _deg(wording: Wording, value: Any) -> str:
-    return wording.words("degree" if value == 1 else "degrees_of", {"value": value})
 
 
 def _action(wording: Wording, value: Mapping[str, str] | None) -> str:
@@ -117,58 +86,10 @@ def _below(wording: Wording, node: Mapping[str, Any], number: str) -> list[str]:
     return lines
 
 
-def _place(wording: Wording, value: Mapping[str, Any]) -> str:
-    x, y, z = value["xyz_mm"]
-    roll, pitch, yaw = value["rpy_deg"]
-    tilted = not (math.isclose(roll, 0.0, abs_tol=0.05) and math.isclose(pitch, 0.0, abs_tol=0.05))
-    slots = {
-        "x": round(x, 1),
-        "y": round(y, 1),
-        "z": round(z, 1),
-        "yaw": round(yaw, 1) or None,
-        "roll": round(roll, 1) if tilted else None,
-        "pitch": round(pitch, 1) if tilted else None,
-        "of": wording.book["words"]["of_hand"] if value["of"] == "hand" else None,
-    }
-    return wording.words("place", slots)
-
-
-def _seen(wording: Wording, value: Mapping[str, Any]) -> str:
-    """Return where a place is as seen from the robot's base, in words and centimetres."""
-    x, y, _ = (round(one / 10.0) for one in value["xyz_mm"])
-    told = [("ahead" if x >= 0 else "back", abs(x)), ("left" if y >= 0 else "right", abs(y))]
-    ways: Mapping[str, str] = wording.book["words"]["seen"]
-    return wording.joined([wording.filled(ways[way], {"far": far}) for way, far in told if far])
-
-
-def _sized(wording: Wording, value: Mapping[str, Any]) -> str:
-    """Return what shape and size a thing is taken to have."""
-    ways: Mapping[str, str] = wording.book["words"]["sized"]
-    return wording.filled(ways.get(value["shape"], ways["box"]), value)
-
-
 def _lag(wording: Wording, value: float) -> str:
     """Return how far cues are from what they tell of, and on which side."""
     ways: Mapping[str, str] = wording.book["words"]["lags"]
     return wording.filled(ways["late" if value >= 0.0 else "early"], {"s": abs(value)})
-
-
-def _sizes(wording: Wording, value: Mapping[str, Any]) -> str:
-    told = [
-        wording.words("size_of", {"name": name, "x": x, "y": y, "z": z})
-        for name, (x, y, z) in (value or {}).items()
-    ]
-    return wording.joined(told)
-
-
-def _places(wording: Wording, value: Mapping[str, Any]) -> str:
-    told = [
-        wording.words("place_of", {"name": name, "place": _place(wording, place)})
-        for name, place in (value or {}).items()
-    ]
-    if not told:
-        return str(wording.book["words"]["nothing_placed"])
-    return str(wording.book["words"]["and_then"]).join(told)
 
 
 def _episodes(wording: Wording, value: Any) -> str:
@@ -262,28 +183,19 @@ def _from(part: str) -> Callable[[Wording, Any], str]:
 
 
 KINDS: Mapping[str, Callable[[Wording, Any], str]] = {
+    **SPATIAL_KINDS,
     "list": _list,
     "names": _names,
     "things": _things,
     "answer": _answer,
-    "numbers": _numbers,
     "some": _some,
     "ordinal": _ordinal,
     "percent": _percent,
-    "mm": _mm,
-    "ways": _ways,
-    "turns": _turns,
-    "deg": _deg,
     "action": _action,
     "conditions": _conditions,
     "state": _state,
-    "sizes": _sizes,
     "tree": _tree,
-    "place": _place,
-    "seen": _seen,
     "lag": _lag,
-    "sized": _sized,
-    "places": _places,
     "episodes": _episodes,
     "alignments": _alignments,
     "signals": _signals,
