@@ -57,7 +57,9 @@ def no_step_of_its_own(dialogue: Dialogue, state: Reviewing) -> Turn | None:
         names[n] = next((name for name in names[n + 1 :] if name), "")
         names[n] = names[n] or next((name for name in reversed(names[:n]) if name), "")
     # What has joined another step is no part of its own any more.
-    joined = {n for one in alone for n in (one - 1, one) if names[n : n + 1] == names[n + 1 : n + 2]}
+    joined = {
+        n for one in alone for n in (one - 1, one) if names[n : n + 1] == names[n + 1 : n + 2]
+    }
     ends = [n for n in range(len(names) - 1) if n not in joined]
     firsts = [0, *(n + 1 for n in ends)]
     cuts_s = tuple(episodes[n].to_s for n in ends)
