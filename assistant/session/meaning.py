@@ -44,12 +44,29 @@ def meant(dialogue: Dialogue, text: str, sure: float, language: str) -> Understa
     # Who types in a hurry types one letter for yes and one for no.
     told = by_name(dialogue, letters.get(text.strip(" .!").lower(), text))
     found = understand(told, now, language)
+    if found.confidence < SAFETY.act_confidence and _calls_a_step(found, now, told, language):
+        # "Merge step 2 and 3" changes the plan and does not answer "how many?".
+        found = understand(told, replace(now, asked="confirm_tree"), language)
     below = beneath(dialogue)
     if below is not None and not _clear(found):
         found = understand(told, below, language)
     if found.confidence < SAFETY.act_confidence:
         found = _among_sentences(told, found, below or now, language)
     return replace(found, confidence=min(found.confidence, sure))
+
+
+def _calls_a_step(found: Understanding, now: Listening, text: str, language: str) -> bool:
+    """Whether what was taken for a number of steps calls one of them by its number."""
+
+    def any_of(part: str) -> str:
+        return "|".join(map(re.escape, hints(part, language)))
+
+    counts = [act for act in found.acts if isinstance(act, Inform) and isinstance(act.value, int)]
+    step = any_of("step_words")
+    by_number = rf"(?:{step})\s+(?:\d+|{any_of('numbers')})"
+    called = rf"\b(?:{by_number}|(?:{any_of('ordinals')})\s+(?:{step}))\b"
+    plain = now.asked == "subtask_count" and len(counts) == len(found.acts)
+    return plain and re.search(called, text.lower()) is not None
 
 
 def _among_sentences(

@@ -75,3 +75,21 @@ def test_control_signs_come_into_no_name(tmp_path: Path) -> None:
     session.close()
     assert len(told) > 3
     assert all(name.isprintable() for name in told)
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "kind"),
+    [
+        ("merge step 2 and 3", "english", acts.Merge),
+        ("fass Schritt 2 und 3 zusammen", "german", acts.Merge),
+        ("Schritt 2 und 3 zusammenfassen", "german", acts.Merge),
+        ("nenn den ersten Schritt Anfahren", "german", acts.Rename),
+        ("three steps", "english", acts.Inform),
+        ("I count three", "english", acts.Inform),
+        ("so drei vielleicht", "german", acts.Inform),
+    ],
+)
+def test_a_step_called_by_its_number_is_no_count(text: str, language: str, kind: type) -> None:
+    teacher = Lessons(begin(language)).open().tell("stack").tell("done").tell(("block", "target"))
+    assert teacher.asked == "subtask_count"
+    assert isinstance(meant(teacher.dialogue, text, 1.0, language).acts[0], kind)
