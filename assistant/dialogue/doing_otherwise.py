@@ -8,6 +8,7 @@ from collections.abc import Iterable
 from assistant.dialogue.answers import answer
 from assistant.dialogue.asking import proceed
 from assistant.dialogue.doubting import is_guess, without_guess
+from assistant.dialogue.naming import number_of, steps_in
 from assistant.dialogue.referring import with_names
 from assistant.dialogue.sketch import names, walk
 from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing
@@ -19,6 +20,8 @@ from assistant.model.task import Index
 
 MOST_LEAD = 4
 """Words between the name of a step and what is to be done there: "the hand should only"."""
+_ONE = (acts.Unknown, acts.Inform, acts.Gripper, acts.Translate)
+"""What a motion is heard as where a number of parts is asked for."""
 
 
 def does_otherwise(
@@ -43,17 +46,26 @@ def does_otherwise(
 
 
 def does_at_once(
-    dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()
+    dialogue: Dialogue, words: Words, meant: Iterable[acts.TeacherAct] = ()
 ) -> Turn | None:
-    """Take what a step of no parts does with the answer that it has none; None for other talk."""
+    """Take what a step of no parts does, told when it is asked how many; None for other talk.
+
+    "None, it goes down", and also just "open the hand at the board".
+    """
     state, language = dialogue.state, dialogue.language
     between = dialogue.pending is not None and not is_guess(dialogue.pending)
     if not isinstance(state, Introducing) or state.asked != "subtask_count" or between:
         return None
     none = rf"\W*(?:{_any('nothing', language)})\s*[,.;:]\s*(?P<does>[^?]+)$"
     found = re.match(none, words.text, re.IGNORECASE)
-    does = _plain(found.group("does").rstrip(" ."), language) if found else ""
-    if not state.index or read_action(does, (), language).action is None:
+    does = _plain((found.group("does") if found else words.text).rstrip(" ."), language)
+    reading = read_action(does, (), language)
+    one = reading.sure and "?" not in does and len(steps_in(does, 2, language)) == 1
+    alone = one and number_of(does, language) is None and all(isinstance(a, _ONE) for a in meant)
+    if not state.index or reading.action is None or not (found or alone):
+        return None
+    if alone and reading.action.way == "backward":
+        # "Go back" is to the question before.
         return None
     single = answer(dialogue.known, state, 0).known
     told = answer(single, Introducing("actions", state.index), does)

@@ -83,3 +83,26 @@ def test_a_step_of_no_parts_does_what_is_told_with_that(text: str, way: str) -> 
     assert action is not None
     assert (action.verb, action.way) == ("move", way)
     assert not at(teacher.dialogue.known.root, (1,)).parts
+
+
+@pytest.mark.parametrize(
+    ("text", "way"),
+    [("open the hand at the target", "open"), ("none, it goes down", "down"), ("lift it", "up")],
+)
+def test_a_motion_told_where_parts_are_counted_is_the_only_one(text: str, way: str) -> None:
+    teacher = said(counting(), text)
+    assert at(teacher.dialogue.known.root, (1,)).single
+    action = at(teacher.dialogue.known.root, (1,)).action
+    assert action is not None
+    assert action.way == way
+
+
+@pytest.mark.parametrize("text", ["two: open the hand, go up", "go back", "lift it and tip it"])
+def test_several_motions_and_other_wishes_are_not_one(text: str) -> None:
+    assert not at(said(counting(), text).dialogue.known.root, (1,)).single
+
+
+def counting() -> Lessons:
+    """Return a lesson in which it is asked how many parts the first step has."""
+    teacher = Lessons().open().tell("tidy").tell("the block is on the target")
+    return teacher.tell(("block", "target")).tell(STEPS)
