@@ -163,14 +163,14 @@ class NumberWords:
 
     def _and_fraction(self, words: Sequence[str], value: float, end: int) -> tuple[float, int]:
         """Read on after a whole number: "and a half", "point five"."""
-        if end < len(words) and words[end] in self.points:
+        if end < len(words) and words[end] in self.points and value % 1 == 0:
             digits = ""
             at = end + 1
-            while at < len(words) and (words[at] in self.ones or words[at].isdigit()):
+            while at < len(words) and (words[at] in self.ones or words[at].isdecimal()):
                 digits += str(self.ones.get(words[at], words[at]))
                 at += 1
             if digits:
-                return float(f"{value:g}.{digits}"), at
+                return float(f"{value:.0f}.{digits}"), at
         part = self._fraction_behind(words, end)
         if part is not None:
             return value + part[0], part[1]

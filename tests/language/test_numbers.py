@@ -87,3 +87,34 @@ def test_a_part_of_a_number_is_that_much_of_it(text: str, value: float) -> None:
     found = phrasebook().numbers.number(text.split(), 0)
     assert found is not None
     assert found[0] == pytest.approx(value)
+
+
+_SAID = (
+    "point",
+    "0.4",
+    "4",
+    "nought",
+    "four",
+    "hundred",
+    "half",
+    "and",
+    "a",
+    "minus",
+    "\u00b2",
+    "1e30",
+)
+
+
+@given(st.lists(st.sampled_from((*_SAID, "9" * 25)), min_size=1, max_size=6))
+def test_any_row_of_words_for_numbers_is_read_without_a_fault(words: list[str]) -> None:
+    numbers = phrasebook().numbers
+    for at in range(len(words)):
+        found = numbers.quantity(words, at)
+        assert found is None or found.end > at
+
+
+@pytest.mark.parametrize("text", ["0.4 point 6", "point four point six"])
+def test_a_number_has_one_point(text: str) -> None:
+    found = phrasebook().numbers.number(text.split(), 0)
+    assert found is not None
+    assert found[0] == pytest.approx(0.4)
