@@ -117,6 +117,10 @@ def fully_named(
 
 
 def _named_in_full(dialogue: Dialogue, act: TeacherAct, text: str) -> TeacherAct:
+    if isinstance(act, acts.Merge | acts.Unordered):
+        # "Steps 2 and 3": the word stands before the first number only.
+        named = tuple(_numbered(dialogue.known.root, one) for one in act.subtasks)
+        return replace(act, subtasks=named)
     if not isinstance(act, _ABOUT_ONE):
         return act
     known = dialogue.known
@@ -127,6 +131,13 @@ def _named_in_full(dialogue: Dialogue, act: TeacherAct, text: str) -> TeacherAct
     if len(whole) != 1 or taken in said:
         return act
     return with_name(act, act.subtask, whole[0])
+
+
+def _numbered(root: Sketch, text: str) -> str:
+    """Return the name of the step that a bare number calls, or the text as it is."""
+    number = int(text) if text.isdecimal() else 0
+    known = text in names(root) or not 0 < number <= len(root.parts)
+    return text if known else root.parts[number - 1].name or text
 
 
 def _stands(name: str, text: str) -> bool:

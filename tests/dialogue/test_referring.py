@@ -55,3 +55,11 @@ def test_words_that_change_the_plan_refer_to_it_whatever_is_asked() -> None:
     assert by_name(naming.dialogue, "the second step is optional") == "serve is optional"
     listed = "step 1 look, step 2 turn, step 1.1 skip"
     assert by_name(naming.dialogue, listed) == listed
+
+
+def test_the_second_of_two_numbers_is_a_step_as_well() -> None:
+    flat = Lessons(begin()).open().tell("x y z").tell("done then").tell(("block", "target"))
+    flat.tell(("grasp the block", "lift it", "open the hand"))
+    flat.hear(acts.Merge(("grasp the block", "2")), text="merge steps 1 and 2")
+    assert [part.name for part in flat.dialogue.known.root.parts][1:] == ["open the hand"]
+    assert "7" in flat.hear(acts.Merge(("7", "2")), text="merge 7 and 2").lines[0].slots["name"]
