@@ -79,6 +79,9 @@ def adapt(
         plan.brake,
         hurry,
     )
+    # Nobody else has them, so they need not be copied.
+    path.setflags(write=False)
+    t_s.setflags(write=False)
     return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, plan.stops)
 
 
@@ -127,13 +130,14 @@ def frames_in(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Array:
 
 
 def _frames(plan: AdaptationPlan, scene: Scene, setup: Setup) -> Rows:
-    _check_places(plan.stations, setup)
-    used = {station.frame for station in plan.stations}
-    now = {name: _hand(scene, name, place) for name, place in setup.places.items() if name in used}
+    now: dict[str, list[float]] = {}
     in_hand: dict[str, Floats] = {}
     out: Rows = []
     for k, (station, hand_in_frame) in enumerate(zip(plan.stations, plan.hands, strict=True)):
-        frame = now[station.frame]
+        if (frame := now.get(station.frame)) is None:
+            if station.frame not in setup.places:
+                raise _missing(plan.stations, setup, station.frame)
+            frame = now[station.frame] = _hand(scene, station.frame, setup.places[station.frame])
         out.append(frame)
         if station.kind == "grasp":
             in_hand[station.object] = hand_in_frame
@@ -173,15 +177,15 @@ def _bent(path: Array, bend: Bend, frames: Rows) -> None:
     path[inside, 3:] = quat_multiply(turns, path[inside, 3:])
 
 
-def _check_places(stations: Sequence[Station], setup: Setup) -> None:
+def _missing(stations: Sequence[Station], setup: Setup, first: str) -> BadInput:
+    """Return that places are missing: the first, and of all things that no hand put there."""
     put: set[str] = set()
-    missing: list[str] = []
+    missing = [first]
     for station in stations:
         if station.frame not in setup.places and station.frame not in put | set(missing):
             missing.append(station.frame)
         if station.kind == "release":
             put.add(station.object)
-    if missing:
-        raise BadInput(
-            [Problem(setup.name, f"no place for {name!r}", "add it to places") for name in missing]
-        )
+    return BadInput(
+        [Problem(setup.name, f"no place for {name!r}", "add it to places") for name in missing]
+    )

@@ -124,9 +124,9 @@ def weights_of(
         flat += a, d, g, b, e, h, c, f, i, *move[:3]
         flat += cos, sin, 0.0, -sin, cos, 0.0, 0.0, 0.0, 1.0, *_LATER
         factors += left_factor(move[3:])
-    rows = np.array(flat).reshape(-1, OF_STRETCH, 3)
+    rows = np.fromiter(flat, float).reshape(-1, OF_STRETCH, 3)
     of_ways = np.ndarray((len(by) - 1, OF_WAY, 3), rows.dtype, rows, 0, rows.strides)
-    return rows, of_ways, np.array(factors).reshape(-1, 4, 4)
+    return rows, of_ways, np.fromiter(factors, float).reshape(-1, 4, 4)
 
 
 def _add(rows: Array, here: slice, added: Array, made: Array) -> None:

@@ -119,22 +119,25 @@ def presses(clear: Clearance, places: Rows, turns: tuple[Turn, Turn], keep: floa
     end = _changed(places[4], clear.end, turns[1].azimuth)
     nearer = keep * min(clear.begin[1] + begin[1], clear.end[1] + end[1])
     keep = kept_out(keep, abs(clear.end[0] + end[0] - clear.begin[0] - begin[0]))
+    turn, farther = end[0] - begin[0], end[1] - begin[1]
     directions, needs = [], []
-    for k, share in enumerate(SHARES):
-        angle = clear.azimuth[k] + begin[0] + (end[0] - begin[0]) * share
-        radius = clear.radius[k] + begin[1] + (end[1] - begin[1]) * clear.made[k]
-        out = math.cos(angle), math.sin(angle)
+    for azimuth, radius, made, share, (x, y, _) in zip(
+        clear.azimuth, clear.radius, clear.made, SHARES, places[1:4], strict=True
+    ):
+        angle = azimuth + begin[0] + turn * share
+        out = cos, sin = math.cos(angle), math.sin(angle)
         directions.append(out)
-        far_m = min(keep * radius, nearer)
-        needs.append(far_m - (out[0] * places[k + 1][0] + out[1] * places[k + 1][1]))
+        far_m = min(keep * (radius + begin[1] + farther * made), nearer)
+        needs.append(far_m - (cos * x + sin * y))
     if max(needs) <= 0.0:
         return []
-    stiff = [
-        [row[j] * (x * directions[j][0] + y * directions[j][1]) for j in range(3)]
-        for (x, y), row in zip(directions, clear.stiff, strict=True)
-    ]
-    found = zip(least_presses(stiff, needs), directions, strict=True)
-    return [[press * x, press * y] for press, (x, y) in found]
+    (ax, ay), (bx, by), (cx, cy) = directions
+    ab, ac, bc = ax * bx + ay * by, ax * cx + ay * cy, bx * cx + by * cy
+    (aa, p, q), (_, bb, r), (_, _, cc) = clear.stiff
+    p, q, r = p * ab, q * ac, r * bc
+    stiff = [[aa, p, q], [p, bb, r], [q, r, cc]]
+    a, b, c = least_presses(stiff, needs)
+    return [[a * ax, a * ay], [b * bx, b * by], [c * cx, c * cy]]
 
 
 def kept_out(keep: float, turned_rad: float) -> float:
@@ -195,7 +198,7 @@ def _fits(stiff: Rows, needs: Floats, found: Floats) -> bool:
     a, b, c = found
     if a < 0.0 or b < 0.0 or c < 0.0:
         return False
-    return all(
-        row[0] * a + row[1] * b + row[2] * c >= need - _NEARLY_M
-        for row, need in zip(stiff, needs, strict=True)
-    )
+    for (d, e, f), need in zip(stiff, needs, strict=True):
+        if d * a + e * b + f * c < need - _NEARLY_M:
+            return False
+    return True

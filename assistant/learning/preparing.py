@@ -29,6 +29,7 @@ from assistant.learning.timing import (
 )
 from assistant.learning.ways import Span, Ways, prepare
 from assistant.learning.weights import FrameWeights, frame_weights
+from assistant.model.demonstration import frozen_array
 from assistant.model.lesson import LearnedPath, Lesson, Station
 from assistant.model.motion import HandStop, Indices
 from assistant.model.settings import BlendingSettings, GeneralizationSettings
@@ -131,7 +132,7 @@ def plan_adaptation(task: Task, settings: BlendingSettings | None = None) -> Ada
         settings=settings,
         steps_s=steps_s,
         resting=resting,
-        gripper_m=commanded(task, lesson, learned),
+        gripper_m=frozen_array(commanded(task, lesson, learned)),
         primitive_at=learned.primitive_at,
         stations=stations,
         station_moves=moves,

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 
 Floats = Sequence[float]
 Rows = list[list[float]]
+_HALF_RAD = math.pi / 360.0
 
 
 def multiply(a: Floats, b: Floats) -> list[float]:
@@ -55,9 +56,18 @@ def turned(quat: Floats, vector: Floats) -> list[float]:
 
 def composed(parent: Floats, child: Floats) -> list[float]:
     """Return the pose of a child given in its parent, seen from the world."""
-    px, py, pz = parent[:3]
-    x, y, z = turned(parent[3:], child[:3])
-    return [px + x, py + y, pz + z, *multiply(parent[3:], child[3:])]
+    px, py, pz, ax, ay, az, aw = parent
+    vx, vy, vz, bx, by, bz, bw = child
+    tx, ty, tz = 2.0 * (ay * vz - az * vy), 2.0 * (az * vx - ax * vz), 2.0 * (ax * vy - ay * vx)
+    return [
+        px + vx + aw * tx + ay * tz - az * ty,
+        py + vy + aw * ty + az * tx - ax * tz,
+        pz + vz + aw * tz + ax * ty - ay * tx,
+        aw * bx + ax * bw + ay * bz - az * by,
+        aw * by - ax * bz + ay * bw + az * bx,
+        aw * bz + ax * by - ay * bx + az * bw,
+        aw * bw - ax * bx - ay * by - az * bz,
+    ]
 
 
 def inverted(pose: Floats) -> list[float]:
@@ -69,11 +79,15 @@ def inverted(pose: Floats) -> list[float]:
 
 def placed(xyz_mm: Floats, rpy_deg: Floats) -> list[float]:
     """Return the pose told in mm and in degrees about fixed x, then y, then z."""
-    roll, pitch, yaw = (math.radians(one) / 2.0 for one in rpy_deg)
+    x_mm, y_mm, z_mm = xyz_mm
+    roll, pitch, yaw = rpy_deg
+    roll, pitch, yaw = _HALF_RAD * roll, _HALF_RAD * pitch, _HALF_RAD * yaw
     cr, cp, cy = math.cos(roll), math.cos(pitch), math.cos(yaw)
     sr, sp, sy = math.sin(roll), math.sin(pitch), math.sin(yaw)
     return [
-        *(one / 1000.0 for one in xyz_mm),
+        x_mm / 1000.0,
+        y_mm / 1000.0,
+        z_mm / 1000.0,
         sr * cp * cy - cr * sp * sy,
         cr * sp * cy + sr * cp * sy,
         cr * cp * sy - sr * sp * cy,

@@ -89,71 +89,98 @@ def bounded_times(
     t_s : array, shape (n,)
         From 0.
     """
-    t_s = np.empty(len(path))
-    t_s[0] = 0.0
+    if not len(steps_s):
+        return _times(steps_s)
     columns = path.T
     moved = columns[:, 1:] - columns[:, :-1]
     need = _need(steps_s, moved, greatest_m_s, greatest_rad_s)
-    much = np.flatnonzero(need > 1.0)
-    if not len(much):
-        np.cumsum(steps_s, out=t_s[1:])
-        return t_s
-    wanted = np.maximum(need, 1.0)
-    begin, end = int(much[0]), int(much[-1])
+    much = need > 1.0
+    begin, end = int(much.argmax()), len(much) - int(much[::-1].argmax())
+    if not much[begin]:
+        return _times(steps_s)
+    half = max(brake // 2, 1)
+    roomy = np.empty(len(need) + 6 * half + 2)
+    wanted: Array = np.maximum(need, 1.0, out=_inner(roomy, half))
     if hurry is not None:
         for way in _hurried(wanted, need, steps_s, moved[:3], hurry):
             begin, end = min(begin, way.start), max(end, way.stop)
+    roomy[: 3 * half + 2], roomy[-3 * half :] = wanted[0], wanted[-1]
     # Elsewhere nothing changes: it reaches from a window before the first to one after the last.
-    reach = 2 * max(brake // 2, 1)
-    inside = slice(max(begin - reach, 0), end + reach + 1)
+    begin, end = max(begin - 2 * half, 0), min(end + 2 * half, len(need))
     lasting = steps_s.copy()
-    lasting[inside] *= _spread(wanted[inside], brake)
-    np.cumsum(lasting, out=t_s[1:])
+    lasting[begin:end] *= _spread(roomy[begin : end + 6 * half + 2], half)
+    return _times(lasting)
+
+
+def _times(lasting: Array) -> Array:
+    """Return the times of samples from what the steps between them last."""
+    t_s = np.empty(len(lasting) + 1)
+    t_s[0] = 0.0
+    np.add.accumulate(lasting, out=t_s[1:])
     return t_s
 
 
 def _need(steps_s: Array, moved: Array, greatest_m_s: float, greatest_rad_s: float) -> Array:
     """Return how much longer each step must at least last, shape (n - 1,); 1 is as it is."""
-    squares = np.matmul(_SUMMED, moved * moved)
+    squares: Array = _SUMMED.dot(moved * moved)
+    need: Array = squares[0]
     chords: Array = squares[1]
-    # Of both signs of a rotation the nearer counts.
-    np.minimum(chords, 4.0 - chords, out=chords)
+    widest = float(chords[chords.argmax()])
+    if widest > 2.0:
+        # Of both signs of a rotation the nearer counts.
+        np.minimum(chords, 4.0 - chords, out=chords)
+        widest = float(chords[chords.argmax()])
     # An angle by its chord is the greater, the greater the chord.
-    widest = math.sqrt(max(float(np.max(chords, initial=0.0)), _NEARLY))
+    widest = math.sqrt(max(widest, _NEARLY))
     by_chord = 4.0 * math.asin(min(widest / 2.0, 1.0)) / widest
-    squares[0] *= 1.0 / (greatest_m_s * greatest_m_s)
-    chords *= (by_chord / greatest_rad_s) ** 2
-    need: Array = np.sqrt(np.maximum(squares[0], chords))
+    chords *= (by_chord * greatest_m_s / greatest_rad_s) ** 2
+    np.maximum(need, chords, out=need)
+    np.sqrt(need, out=need)
+    need *= 1.0 / greatest_m_s
     need /= steps_s
     return need
 
 
 def _hurried(wanted: Array, need: Array, steps_s: Array, moved: Array, hurry: Hurry) -> list[slice]:
     """Let ways that grew take less than is `wanted`, nowhere below `need`; return which do."""
-    grew = [
-        (way, over_s)
-        for way in hurry.ways
-        if (over_s := float(np.vdot(wanted[way], steps_s[way])) - float(np.sum(steps_s[way]))) > 0.0
-    ]
+    grew = []
+    for way in hurry.ways:
+        shown_s = float(np.add.reduce(steps_s[way]))
+        over_s = float(wanted[way].dot(steps_s[way])) - shown_s
+        if over_s > _WORTH * shown_s:
+            grew.append((way, shown_s, over_s))
     if not grew:
         return []
-    bends = moved[:, 1:] - moved[:, :-1]
-    bends *= bends
-    least = np.sqrt(np.sqrt(_ALONG @ bends) * (1.0 / hurry.greatest_m_s2))
-    least /= steps_s[1:]
-    spared = np.maximum(need, hurry.least)
-    # A bend between two steps bounds both.
-    np.maximum(spared[1:], least, out=spared[1:])
-    np.maximum(spared[:-1], least, out=spared[:-1])
-    np.subtract(wanted, spared, out=spared)
-    np.maximum(spared, 0.0, out=spared)
+    begin, end = max(grew[0][0].start - 1, 0), grew[-1][0].stop + 1
+    spared = np.empty(len(wanted))
+    spared[begin:end] = _spared(wanted, need, steps_s, moved, hurry, slice(begin, end))
     hurried = []
-    for way, over_s in grew:
-        whole_s = float(np.vdot(spared[way], steps_s[way]))
-        if min(over_s, whole_s) > _WORTH * float(np.sum(steps_s[way])):
+    for way, shown_s, over_s in grew:
+        whole_s = float(spared[way].dot(steps_s[way]))
+        if whole_s > _WORTH * shown_s:
             wanted[way] -= min(over_s / whole_s, 1.0) * spared[way]
             hurried.append(way)
     return hurried
+
+
+def _spared(
+    wanted: Array, need: Array, steps_s: Array, moved: Array, hurry: Hurry, steps: slice
+) -> Array:
+    """Return how much less than is `wanted` each of some steps could take."""
+    moved = moved[:, steps]
+    bends = moved[:, 1:] - moved[:, :-1]
+    bends *= bends
+    bent = _ALONG.dot(bends)
+    bent *= 1.0 / hurry.greatest_m_s2**2
+    np.sqrt(bent, out=bent)
+    np.sqrt(bent, out=bent)
+    bent /= steps_s[steps][1:]
+    spared: Array = np.maximum(need[steps], hurry.least[steps])
+    # A bend between two steps bounds both.
+    np.maximum(spared[1:], bent, out=spared[1:])
+    np.maximum(spared[:-1], bent, out=spared[:-1])
+    np.subtract(wanted[steps], spared, out=spared)
+    return np.maximum(spared, 0.0, out=spared)
 
 
 def resting_steps(t_s: Array, acts: Sequence[int], dwell_s: float) -> Array:
@@ -171,34 +198,35 @@ def rms_jerk(xyz: Array, step_s: float) -> float:
     return float(np.sqrt(np.mean(np.sum(third * third, axis=1))))
 
 
-def _spread(need: Array, width: int) -> Array:
-    """Return a smooth curve nowhere below `need`: its mean nearby, and what that lacks spread."""
-    half = max(width // 2, 1)
+def _inner(roomy: Array, half: int) -> Array:
+    """Return the steps themselves of values with room for what `_spread` looks at around them."""
+    return roomy[3 * half + 2 : -3 * half]
+
+
+def _spread(roomy: Array, half: int) -> Array:
+    """Return a smooth curve nowhere below what is needed: its mean nearby, and what that lacks.
+
+    What it lacks is spread, too. The values have room around them, see `_inner`.
+    """
     window = 2 * half + 1
-    # One value more in front: sums of runs are differences of sums from the beginning.
-    padded = np.empty(len(need) + 2 * half + 1)
-    padded[half + 1 : -half] = need
-    padded[: half + 1], padded[-half:] = need[0], need[-1]
-    mean = _mean(padded, window)
-    lacks = np.empty(len(need) + 4 * half + 1)
-    inner = lacks[2 * half + 1 : -2 * half]
-    np.subtract(need, mean, out=inner)
-    np.maximum(inner, 0.0, out=inner)
-    lacks[: 2 * half + 1], lacks[-2 * half :] = inner[0], inner[-1]
+    mean = _mean(roomy, window)
+    lacks = roomy[half + 1 : -half] - mean
+    np.maximum(lacks, 0.0, out=lacks)
     # The greatest of ever longer runs, each joined from two shorter ones.
     length = 1
     while length < window:
         ahead = min(length, window - length)
         lacks = np.maximum(lacks[:-ahead], lacks[ahead:])
         length += ahead
-    mean += _mean(lacks, window)
+    curve = _mean(lacks, window)
+    curve += mean[window : 1 - window]
     # Rounding must not take it below.
-    return np.maximum(mean, need, out=mean)
+    return np.maximum(curve, _inner(roomy, half), out=curve)
 
 
 def _mean(values: Array, window: int) -> Array:
     """Return the mean of each run of so many values but the first."""
-    summed = np.cumsum(values)
+    summed = np.add.accumulate(values)
     mean: Array = summed[window:] - summed[:-window]
     mean *= 1.0 / window
     return mean

@@ -108,8 +108,8 @@ def turned(by: Sequence[Turn]) -> Array:
     It comes after the learned turn: the arc to the next stretch's, then the azimuth.
     """
     flat = [one for here, there in pairwise(by) for one in _between(here, there)]
-    rows = np.array(flat).reshape(-1, 6, 4)
-    waves: Array = np.cos(np.matmul(rows[:, :2].reshape(-1, 4, 2), _SHARES))
+    rows = np.fromiter(flat, float).reshape(-1, 6, 4)
+    waves: Array = np.cos(rows[:, :2].reshape(-1, 2).dot(_SHARES)).reshape(-1, 4, len(NODES))
     weights: Array = waves[:, :2, None] * waves[:, None, 2:]
     weights = weights.reshape(-1, 4, len(NODES))
     nodes: Array = np.matmul(rows[:, 2:].transpose(0, 2, 1), weights)

@@ -34,6 +34,7 @@ from assistant.learning.turning import SUMMED, Turn, products, turned, turns
 from assistant.model.settings import BlendingSettings
 
 Span = tuple[int, int]
+_UNPRESSED = [[0.0, 0.0]] * 3
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -149,8 +150,8 @@ def smooth_way(ways: Ways, moves: Sequence[Floats]) -> Array:
     weights, of_ways, factors = weights_of(turning, moves, by)
     for k, (first, last) in enumerate(ways.held):
         places, quats = ways.stretches[k]
-        np.matmul(weights[k, RIGID].T, places, out=columns[:3, first : last + 1])
-        np.matmul(factors[k], quats, out=columns[3:, first : last + 1])
+        columns[:3, first : last + 1] = weights[k, RIGID].T.dot(places)
+        columns[3:, first : last + 1] = factors[k].dot(quats)
     if ways.quats.size:
         _press(ways, by, weights, of_ways)
         _even_out(ways, weights, of_ways)
@@ -162,11 +163,12 @@ def _carry(ways: Ways, at_nodes: Array, of_ways: Array, columns: Array) -> None:
     """Carry all samples between stretches."""
     turning = np.empty(ways.quats.shape)
     for way, turn in zip(ways.between, at_nodes, strict=True):
-        np.matmul(turn, way.nodes, out=turning[:, way.inside])
-    terms = products(turning, ways.quats)
+        turning[:, way.inside] = turn.dot(way.nodes)
+    quats = SUMMED.dot(products(turning, ways.quats))
     for way, weights in zip(ways.between, of_ways, strict=True):
-        np.matmul(weights.T, way.rows, out=columns[:3, way.first + 1 : way.last])
-        np.matmul(SUMMED, terms[:, way.inside], out=columns[3:, way.first + 1 : way.last])
+        carried = slice(way.first + 1, way.last)
+        columns[:3, carried] = weights.T.dot(way.rows)
+        columns[3:, carried] = quats[:, way.inside]
 
 
 def _press(ways: Ways, by: Sequence[Turn], weights: Array, of_ways: Array) -> None:
@@ -174,26 +176,28 @@ def _press(ways: Ways, by: Sequence[Turn], weights: Array, of_ways: Array) -> No
     if not ways.polar:
         return
     places: list[Rows] = np.matmul(ways.at, of_ways).tolist()
-    for k, way in enumerate(ways.between):
-        if way.clear is not None:
-            found = presses(way.clear, places[k], (by[k], by[k + 1]), ways.keep)
-            if found:
-                weights[k, PRESSED, :2] = found
+    found = [
+        presses(way.clear, there, ends, ways.keep) if way.clear is not None else []
+        for way, there, ends in zip(ways.between, places, itertools.pairwise(by), strict=True)
+    ]
+    if any(found):
+        weights[:-1, PRESSED, :2] = [one or _UNPRESSED for one in found]
 
 
 def _even_out(ways: Ways, weights: Array, of_ways: Array) -> None:
     """Set the share that is evened out, as much as keeps the ways from being too rough."""
     if ways.most == math.inf:
         return
-    rough = np.matmul(ways.rough, of_ways)
-    have = float(np.vdot(rough, of_ways))
+    flat = of_ways.flatten()
+    rough = np.matmul(ways.rough, of_ways).ravel()
+    have = float(rough.dot(flat))
     if have <= ways.most:
         return
     weights[:, EVENED] = weights[:, ADDED]
-    slope = float(np.vdot(rough, of_ways)) - have
-    whole = float(np.vdot(np.matmul(ways.rough, of_ways), of_ways))
-    share = share_needed(have, slope, whole - have - 2.0 * slope, ways.most)
-    weights[:, EVENED] *= share
+    change = of_ways.flatten() - flat
+    slope = float(rough.dot(change))
+    bend = float(np.matmul(ways.rough, change.reshape(of_ways.shape)).ravel().dot(change))
+    weights[:, EVENED] *= share_needed(have, slope, bend, ways.most)
 
 
 def _held_jerk(path: Array, between: Sequence[Between]) -> float:

@@ -11,7 +11,12 @@ from assistant.model.setup import Setup
 
 
 def frozen_array(values: Array) -> Array:
-    """Return a read-only copy, of the same shape, so that a frozen value stays what it was."""
+    """Return a read-only copy, of the same shape, so that a frozen value stays what it was.
+
+    Who hands over an array that is read-only already writes to it no more: it is taken itself.
+    """
+    if not values.flags.writeable and values.dtype == float:
+        return values
     copy = np.array(values, dtype=float)
     copy.setflags(write=False)
     return copy

@@ -185,9 +185,13 @@ def table(name: str, task: Task, scene: Scene, places: list[Setup]) -> None:
     for measure in rows[0]:
         values = np.percentile([row[measure] for row in rows], [50.0, 90.0, 100.0])
         print(f"  {measure:<20}" + "".join(f"{value:>12.3g}" for value in values))
-    whole = timed(lambda: adapt(plan, scene, places[0]))
     once = timed(lambda: plan_adaptation(task))
-    print(f"  adapt with timing {whole:.0f} us a setup; plan_adaptation {once:.0f} us a lesson")
+    for each in (plan, thin[-1]):
+        times = [timed(partial(adapt, each, scene, one), 300) for one in places[::5]]
+        print(
+            f"  adapt with timing, {len(each.ways.path)} samples: median {np.median(times):.0f} us "
+            f"a setup, worst {np.max(times):.0f} us; plan_adaptation {once:.0f} us a lesson"
+        )
 
 
 def main(chosen: Sequence[str]) -> int:

@@ -186,6 +186,22 @@ def test_a_place_that_is_missing_is_named() -> None:
         adapt(plan_adaptation(learned()), SCENE, setup)
 
 
+def test_what_is_put_down_without_having_been_grasped_needs_a_place_too() -> None:
+    plan = plan_adaptation(learned())
+    grasp, release = plan.stations
+    plan = replace(plan, stations=(replace(release, frame="target"), grasp))
+    with pytest.raises(BadInput, match="no place for 'block'"):
+        adapt(plan, SCENE, replace(SHOWN, places={"target": SHOWN.places["target"]}))
+
+
+def test_a_path_given_to_the_arm_cannot_be_written_to() -> None:
+    plan = plan_adaptation(learned())
+    path = adapt(plan, SCENE, SHOWN)
+    for values in (path.t_s, path.path, path.gripper_m):
+        with pytest.raises(ValueError, match="read-only"):
+            values[0] = 1.0
+
+
 def test_speed_must_be_above_zero() -> None:
     with pytest.raises(BadInput, match="above 0"):
         adapt(plan_adaptation(learned()), SCENE, SHOWN, speed=0.0)

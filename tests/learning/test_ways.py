@@ -120,6 +120,16 @@ def test_no_more_is_evened_than_jerk_asks_for() -> None:
     assert jerk_between(ways, even) == pytest.approx(allowed, rel=1e-9)
 
 
+def test_a_way_that_is_the_only_one_is_evened_too() -> None:
+    shown = plan_adaptation(learned(noise_m=0.0005)).ways
+    end = shown.held[1][1] + 1
+    ways = prepare(shown.path[:end], shown.held[:2], BlendingSettings())
+    moves = [about_base(-20.0), about_base(25.0)]
+    allowed = 0.9 * jerk_between(ways, smooth_way(ways, moves))
+    even = smooth_way(replace(ways, most=allowed), moves)
+    assert jerk_between(ways, even) == pytest.approx(allowed, rel=1e-9)
+
+
 def jerk_between(ways: Ways, path: Array) -> float:
     """Return the sum of squared third differences within the ways."""
     found = 0.0
