@@ -152,8 +152,11 @@ def _led_to(
         "|".join(map(re.escape, hints(part, language))) for part in ("to_words", "articles")
     )
     apart = _telling_apart([one.name for one in objects])
+    roles: dict[str, str] = {one.name: one.role for one in objects}
+    generic: dict[str, list[str]] = hints("generic", language)
     for name in reversed(mentioned):
         own = [word for word, known in apart.items() if known == name]
+        own += generic.get(roles[name], [])
         called = "|".join(map(re.escape, (*called_things(name, language), *own)))
         led = rf"\b(?:{to})\s+(?:(?:{articles})\s+)*(?:{called})\b"
         if re.search(led, text, re.IGNORECASE):
@@ -173,7 +176,8 @@ def _concerned(
         alone = [name for name, role in roles.items() if role == "target"]
         if verb == "hand" and len(alone) == 1:
             return alone[0]
-        if mentioned and roles[mentioned[0]] == "object" and len(alone) == 1 and way == "down":
+        # "Carry it over" and "lower the cup" go to where things are put.
+        if mentioned and roles[mentioned[0]] == "object" and len(alone) == 1:
             return alone[0]
     if mentioned:
         return mentioned[0]

@@ -87,3 +87,20 @@ def test_a_thing_is_meant_by_what_it_is_where_no_other_is_such() -> None:
     other = TaskObject("red box", "object")
     assert mentioned_objects("move the box", (other, box)) == ()
     assert mentioned_objects("move the blue one", (other, box)) == ("blue box",)
+
+
+@pytest.mark.parametrize(
+    ("text", "where"),
+    [
+        ("carry it over", "saucer"),
+        ("carry the cup", "saucer"),
+        ("go to the cup", "cup"),
+        ("move to it", "cup"),
+        ("go down to it", "cup"),
+    ],
+)
+def test_what_is_carried_goes_where_things_are_put(text: str, where: str) -> None:
+    things = (TaskObject("cup", "object"), TaskObject("saucer", "target"))
+    action = read_action(text, things).action
+    assert action is not None
+    assert action.object == where
