@@ -13,6 +13,7 @@ from assistant.model.setup import Setup
 from assistant.model.task import Task, primitives
 from assistant.ports import HandSample
 from sim.a465 import GRIPPER
+from sim.hands.grasping import within_reach
 from sim.hands.habits import Habits
 from sim.hands.motion import RATE_HZ, Shown, move
 from sim.hands.recorded import spoken_samples
@@ -53,6 +54,7 @@ class ScriptedHand:
         rate_hz: float = RATE_HZ,
     ) -> None:
         self.setup = setup
+        scene = within_reach(scene, setup)
         habits = habits or Habits.of_seed(seed)
         random = np.random.default_rng([seed, 0])
         legs = route(task, scene, setup, habits.retreat_m)
