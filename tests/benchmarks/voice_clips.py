@@ -25,7 +25,10 @@ from assistant.shells.voice.sound import Samples, read_sound
 from tests.benchmarks.bench_language import rows, same
 from tests.benchmarks.voices import NOISES, Speaker, noise, noisy, placed, speakers, spoken
 
-FILES = {"tuned": ("tuning", "tuning4"), "reported": ("tuning5", "tuning6")}
+FILES: dict[str, tuple[str, ...]] = {
+    "tuned": ("tuning", "tuning4"),
+    "reported": ("tuning5", "tuning6"),
+}
 MOST_WORDS = 14
 PRACTICE = Listening(stage="practice")
 WORDS = (
