@@ -13,7 +13,7 @@ from assistant.geometry import (
     relative,
     rotate_vector,
 )
-from assistant.learning.weights import quintic
+from assistant.learning.weights import least_jerk, quintic
 from assistant.model.settings import GeneralizationSettings
 
 _LEAST_SETTLING = 25
@@ -45,6 +45,13 @@ def grasp_ways(approach_axis: str) -> Array:
 def release_ways(normal_in_world: Array, hand: Array) -> Array:
     """Return the direction, shape (1, 3) in the hand's frame, open from docking to release."""
     return rotate_vector(quat_inverse(hand[3:]), normal_in_world)[None, :]
+
+
+def level(hand: Array) -> Array:
+    """Return the turn about the vertical, shape (4,), of what a hand meets from side or above."""
+    ahead = rotate_vector(hand[3:], np.array([1.0, 0.0, 1.0]))
+    half = np.arctan2(ahead[1], ahead[0]) / 2.0
+    return np.array([0.0, 0.0, np.sin(half), np.cos(half)])
 
 
 def docking_sample(
@@ -81,7 +88,13 @@ def way_end(xyz: Array, earliest: int, at: int) -> int:
 
 
 def straightened(
-    path: Array, at: int, docking_at: int, ways: Array, earliest: int, settle_m: float
+    path: Array,
+    at: int,
+    docking_at: int,
+    ways: Array,
+    earliest: int,
+    settle_m: float,
+    least_m: float = 0.0,
 ) -> Array:
     """Return the path with everything docking forbids taken out from docking to `at`.
 
@@ -96,6 +109,9 @@ def straightened(
     ways : array, shape (k, 3)
         Orthogonal directions allowed, in the hand's frame at `at`.
     settle_m : float
+    least_m : float
+        Docking is at least so far away along the only direction allowed: a hand that came from
+        the side is led there instead.
     """
     stretch = slice(earliest, at + 1)
     docking = docking_at - earliest
@@ -103,17 +119,32 @@ def straightened(
     turns = quat_to_rotvec(seen[:, 3:])
     stray = np.hstack([seen[:, :3] - (seen[:, :3] @ ways.T) @ ways, turns])
     change = -stray
+    if len(ways) == 1 and np.linalg.norm(seen[docking, :3]) >= least_m:
+        lift = _lifted(seen[:, :3] @ ways[0], docking, least_m)
+        change[:, :3] += lift[:, None] * ways[0]
+    joined = change[[max(docking - 1, 0), docking, min(docking + 1, len(stray) - 1)]]
     change[:docking] = 0.0
     begin = _settling(path[stretch, :3], docking, settle_m)
     if docking > begin:
-        about = stray[[max(docking - 1, 0), docking, min(docking + 1, len(stray) - 1)]]
-        ends = [about[1], (about[2] - about[0]) / 2.0, about[0] - 2.0 * about[1] + about[2]]
+        ends = [joined[1], (joined[2] - joined[0]) / 2.0, joined[0] - 2.0 * joined[1] + joined[2]]
         share = np.arange(docking - begin) / (docking - begin)
-        change[begin:docking] = -quintic(share, docking - begin)[:, 3:] @ np.array(ends)
+        change[begin:docking] = quintic(share, docking - begin)[:, 3:] @ np.array(ends)
     kept = np.hstack([seen[:, :3] + change[:, :3], quat_from_rotvec(turns + change[:, 3:])])
     out = path.copy()
     out[stretch] = compose(path[at], kept)
     return out
+
+
+def _lifted(heights: Array, docking: int, least_m: float) -> Array:
+    """Return how much further away a path is led so that its docking is not too near, shape (n,).
+
+    From docking on it comes nearer with least jerk. What comes from beyond is left as it is.
+    """
+    lacking_m = least_m - float(heights[docking])
+    if not 0.0 < lacking_m < 2.0 * least_m:
+        return np.zeros(len(heights))
+    after = (np.arange(len(heights)) - docking) / max(len(heights) - 1 - docking, 1)
+    return np.asarray(lacking_m * (1.0 - least_jerk(np.clip(after, 0.0, 1.0))))
 
 
 def _settling(xyz: Array, docking: int, settle_m: float) -> int:

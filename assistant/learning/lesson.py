@@ -13,7 +13,13 @@ from assistant.errors import BadInput
 from assistant.geometry import Array, compose, inverse, relative, rotate_vector
 from assistant.learning.arriving import arrival, site_of
 from assistant.learning.conditions import Inferred, inferred
-from assistant.learning.docking import docking_sample, grasp_ways, release_ways, straightened
+from assistant.learning.docking import (
+    docking_sample,
+    grasp_ways,
+    level,
+    release_ways,
+    straightened,
+)
 from assistant.learning.generalization import Sampled, primitive_at, sampled, shown_jerk
 from assistant.learning.segmentation import segment
 from assistant.learning.signals import gripper_events
@@ -212,7 +218,9 @@ def _docked(
         else:
             docking_at = docking_sample(path[:, :3], at, suggested, earliest, given)
             ways = _ways(context, visit, path[at], placed[k])
-            path = straightened(path, at, docking_at, ways, earliest, given.settle_m)
+            path = straightened(
+                path, at, docking_at, ways, earliest, given.settle_m, given.docking_near_m
+            )
         latest = even.acts[k + 1] if k + 1 < len(seen) else len(path) - 1
         pushes = [one.kind for one in seen[k : k + 2]] == ["touch", "touch"]
         left_at = at if pushes else _left(path[:, :3], at, latest, given.leave_m)
@@ -252,8 +260,11 @@ def _ways(context: Context, visit: Visit, hand: Array, frame: Array) -> Array:
     normal = np.array([0.0, 0.0, 1.0])
     body = context.scene.bodies.get(visit.frame) if context.scene else None
     if body is not None:
-        to_world = compose(frame, inverse(body.hand_in_body))
-        normal = rotate_vector(to_world[3:], np.array(body.normal) / np.linalg.norm(body.normal))
+        turn = compose(frame, inverse(body.hand_in_body))[3:]
+        if visit.frame not in context.demonstration.setup.places:
+            # How it is held is not known either: it lies level, however the hand leans.
+            turn = level(hand)
+        normal = rotate_vector(turn, np.array(body.normal) / np.linalg.norm(body.normal))
     return release_ways(normal, hand)
 
 

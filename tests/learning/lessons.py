@@ -91,6 +91,16 @@ def demonstration(
     return Demonstration(recording, setup=setup, source="made")
 
 
+def sliding_in() -> Demonstration:
+    """Return a demonstration in which the block comes to its target at the target's height."""
+    shown = demonstration()
+    t_s, path = shown.recording.t_s, shown.recording.path.copy()
+    carried, last = least_jerk((t_s - 8.2) / 3.5), least_jerk((t_s - 12.3) / 1.2)
+    path[:, 1] -= 0.06 * carried * (1.0 - last)
+    path[:, 2] -= 0.042 * carried * (1.0 - last)
+    return replace(shown, recording=replace(shown.recording, path=path))
+
+
 @lru_cache
 def lesson(noise_m: float = 0.0, seed: int = 0, *, hasty: bool = False) -> Lesson:
     return learn([demonstration(noise_m, seed, hasty=hasty)], task(), cuts_s=CUTS_S, scene=Scene())

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import replace
 from itertools import islice
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from assistant.files.scenes import read_scene
 from assistant.geometry import (
     Array,
     angle_between,
@@ -16,6 +18,8 @@ from assistant.geometry import (
     inverse,
     pose_to_mm_deg,
 )
+from assistant.learning.adaptation import adapt, plan_adaptation
+from assistant.learning.lesson import learn
 from assistant.model.motion import HandPath, JointPath, Refusal
 from assistant.model.scene import Obstacle, Scene
 from assistant.model.setup import Place, Setup
@@ -25,10 +29,12 @@ from sim.kinematics import forward, limit_margin
 from sim.planner import A465Planner
 from sim.setups import random_setups
 from sim.timing import Timed, timed
+from tests.learning.lessons import CUTS_S, sliding_in, task
 from tests.sim.hand_paths import TABLE1, pick_and_place, scene, setup, taught
 from tests.sim.test_timing import peaks
 
 PLANNER = A465Planner()
+TASKS = Path(__file__).parents[2] / "tasks"
 
 
 def planned(where: Scene, told: Setup, look: ArmLook | None = None) -> JointPath:
@@ -260,3 +266,11 @@ def test_what_the_plain_check_calls_reachable_is_done() -> None:
 def test_a_start_that_cannot_be_held_is_refused() -> None:
     told = replace(TABLE1[0], robot_start=Place("hand", (406.4, 0.0, 1200.0)))
     assert refused(scene(), told).where == "start"
+
+
+def test_a_task_shown_by_sliding_in_from_the_side_is_carried_out() -> None:
+    shown, where = sliding_in(), read_scene(TASKS / "scenes" / "demonstration_table.yaml")
+    lesson = learn([shown], task(), cuts_s=CUTS_S, scene=where)
+    path = adapt(plan_adaptation(replace(task(), learned=lesson)), where, shown.setup)
+    motion = PLANNER.plan(path, where, shown.setup)
+    assert isinstance(motion, JointPath), str(motion)
