@@ -135,12 +135,31 @@ def new_place(known: Knowledge, thing: str, act: acts.SetPose, words: str) -> Pl
     was: Triple = old.rpy_deg if old is not None else (0.0, 0.0, 0.0)
     turned = _turned(act, was, words, known.language)
     if act.position_mm is not None:
-        return Place(kind, act.position_mm, turned)
+        xyz_mm = _on_a_table(known, act.position_mm) if kind == "body" else act.position_mm
+        return Place(kind, xyz_mm, turned)
     if old is None:
         return None
     dx, dy, dz = _from_robot(known, act.by_mm or (0.0, 0.0, 0.0))
     x, y, z = old.xyz_mm
     return Place(old.kind, (x + dx, y + dy, z + dz), turned)
+
+
+def _on_a_table(known: Knowledge, xyz_mm: Triple) -> Triple:
+    """Return a place that was measured a little too low, so that it is in a table, on top of it."""
+    x, y, z = xyz_mm
+    top = top_mm(known, x, y)
+    return (x, y, top) if top is not None and 0.0 < top - z < STANDS_MM else xyz_mm
+
+
+def top_mm(known: Knowledge, x: float, y: float) -> float | None:
+    """Return how high the table is there; None where none is."""
+    tops = [
+        table.xyz_mm[2] + table.size_mm[2]
+        for table in known.scene.tables
+        if abs(x - table.xyz_mm[0]) <= table.size_mm[0] / 2.0
+        and abs(y - table.xyz_mm[1]) <= table.size_mm[1] / 2.0
+    ]
+    return max(tops, default=None)
 
 
 def _turned(act: acts.SetPose, was: Triple, words: str, language: str) -> Triple:
@@ -180,4 +199,13 @@ def _from_robot(known: Knowledge, by_mm: Triple) -> Triple:
     return (-by_mm[0], -by_mm[1], by_mm[2])
 
 
-__all__ = ["new_place", "placed", "places", "pointed_at", "set_pose", "thing_meant", "thing_named"]
+__all__ = [
+    "new_place",
+    "placed",
+    "places",
+    "pointed_at",
+    "set_pose",
+    "thing_meant",
+    "thing_named",
+    "top_mm",
+]

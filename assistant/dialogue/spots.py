@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from assistant.dialogue.asking import ask
 from assistant.dialogue.knowledge import Knowledge
-from assistant.dialogue.placing import placed
+from assistant.dialogue.placing import placed, top_mm
 from assistant.dialogue.state import Dialogue, Introducing, Pending
 from assistant.dialogue.turn import Turn, Words, line, plain_place
 from assistant.language.hints import hints, mentions
@@ -29,21 +29,10 @@ def spot(known: Knowledge, thing: str) -> Place | None:
     if thing not in known.scene.bodies:
         return None
     for y in (sign * side * far for far in ASIDE_MM for sign in (1.0, -1.0)):
-        top = _top_mm(known, AHEAD_MM, y)
+        top = top_mm(known, AHEAD_MM, y)
         if top is not None and _free(known, thing, AHEAD_MM, y):
             return Place("body", (AHEAD_MM, y, top))
     return None
-
-
-def _top_mm(known: Knowledge, x: float, y: float) -> float | None:
-    """Return how high the table is there; None where none is."""
-    tops = [
-        table.xyz_mm[2] + table.size_mm[2]
-        for table in known.scene.tables
-        if abs(x - table.xyz_mm[0]) <= table.size_mm[0] / 2.0
-        and abs(y - table.xyz_mm[1]) <= table.size_mm[1] / 2.0
-    ]
-    return max(tops, default=None)
 
 
 def _free(known: Knowledge, thing: str, x: float, y: float) -> bool:
