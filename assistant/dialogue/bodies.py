@@ -6,7 +6,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from assistant.dialogue.knowledge import Knowledge
+from assistant.dialogue.turn import line
 from assistant.geometry import Array, pose_to_mm_deg
+from assistant.model.robot_acts import RobotAct
 from assistant.model.scene import Body
 from assistant.model.setup import Place
 
@@ -97,6 +99,11 @@ def plain_size(known: Knowledge, thing: str) -> dict[str, object]:
     body = known.scene.bodies[thing]
     x, y, z = (round(side / 10.0, 1) for side in body.size_mm)
     return {"name": thing, "shape": body.shape, "x": x, "y": y, "z": z}
+
+
+def size_line(known: Knowledge, thing: str) -> RobotAct:
+    """Return the line that tells how big a thing is taken to be."""
+    return line("told", "size", size=plain_size(known, thing))
 
 
 def too_wide(known: Knowledge) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from assistant.dialogue.asking import proceed, tell
-from assistant.dialogue.bodies import plain_size
+from assistant.dialogue.bodies import size_line
 from assistant.dialogue.naming import alike
 from assistant.dialogue.state import Dialogue, Introducing
 from assistant.dialogue.things import things_in
@@ -36,7 +36,7 @@ def sized(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = ()) -
     named = [name for name in bodies if mentions(text, called_things(name, dialogue.language))]
     if len(named) != 1 or not mentions(text, hints("asks_size", dialogue.language)):
         return None
-    return tell(dialogue, line("told", "size", size=plain_size(dialogue.known, named[0])))
+    return tell(dialogue, size_line(dialogue.known, named[0]))
 
 
 def _others(dialogue: Dialogue, words: Words) -> Turn | None:

@@ -7,10 +7,10 @@ from collections.abc import Iterable
 from functools import cache
 
 from assistant.dialogue.asking import proceed
-from assistant.dialogue.bodies import plain_size, with_body
+from assistant.dialogue.bodies import size_line, with_body
 from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing
-from assistant.dialogue.turn import Turn, Words, changed, first, line, say
+from assistant.dialogue.turn import Turn, Words, changed, first, say
 from assistant.language.actions import mentioned_objects
 from assistant.language.hints import hints, matter, mentions
 from assistant.model import teacher_acts as acts
@@ -29,7 +29,7 @@ def told_shape(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
     # What is round is as wide as its longer side.
     wide = (x, y) if shape == "box" else (max(x, y), max(x, y))
     shaped = with_body(known, thing, shape, (*wide, z))
-    told = say(dialogue, line("told", "size", size=plain_size(shaped, thing)))[1]
+    told = say(dialogue, size_line(shaped, thing))[1]
     return first(told, proceed(changed(without_guess(dialogue), "body", shaped)))
 
 
@@ -40,10 +40,9 @@ def _thing(dialogue: Dialogue, text: str) -> str:
     named = mentioned_objects(text, told, known.language)
     if len(named) == 1:
         return named[0]
-    asked = state.thing if isinstance(state, Introducing) and not named else ""
-    return (
-        asked if asked in known.shaped and mentions(text, hints("pronouns", known.language)) else ""
-    )
+    pointed = not named and mentions(text, hints("pronouns", known.language))
+    asked = state.thing if isinstance(state, Introducing) and pointed else ""
+    return asked if asked in known.shaped else ""
 
 
 @cache

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import cache
 
 from assistant.dialogue.asking import proceed, tell
-from assistant.dialogue.bodies import plain_size, with_body
+from assistant.dialogue.bodies import size_line, with_body
 from assistant.dialogue.doubting import is_guess, without_guess
 from assistant.dialogue.introduction import all_understood
 from assistant.dialogue.knowledge import Knowledge
@@ -51,7 +51,7 @@ def told_size(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = (
         return None
     naming = isinstance(state, Introducing) and state.asked == "task_name"
     # A name that was guessed is asked for again.
-    told = say(free, line("told", "size", size=plain_size(sized, thing)))[1]
+    told = say(free, size_line(sized, thing))[1]
     return first(told, proceed(changed(dialogue if naming else free, "body", sized)))
 
 
@@ -132,19 +132,13 @@ def _things_with_sizes(dialogue: Dialogue, text: str) -> Turn | None:
         # "The jar is 6 cm tall" names one thing of those that are asked for.
         told = _with_size(known, things[0].name, text)
         noted = changed(dialogue, "body", told)
-        return (
-            tell(noted, line("told", "size", size=plain_size(told, things[0].name)))
-            if told != known
-            else None
-        )
+        return tell(noted, size_line(told, things[0].name)) if told != known else None
     sized = all_understood(replace(known, objects=things))
     for thing, clause in _clauses(text, things):
         sized = _with_size(sized, thing.name, clause)
     lines = [line("done", "things", names=[one.name for one in things])]
     new = [one.name for one in things if sized.scene.bodies.get(one.name) is not None]
-    lines += [
-        line("told", "size", size=plain_size(sized, name)) for name in new if name in sized.shaped
-    ]
+    lines += [size_line(sized, name) for name in new if name in sized.shaped]
     after = changed(dialogue, "objects", sized, clean=dialogue.clean)
     return first(say(after, *lines)[1], proceed(after))
 
