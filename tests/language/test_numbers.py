@@ -1,5 +1,5 @@
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from assistant.language.phrasebook import phrasebook
@@ -105,6 +105,7 @@ _SAID = (
 )
 
 
+@settings(deadline=None)
 @given(st.lists(st.sampled_from((*_SAID, "9" * 25)), min_size=1, max_size=6))
 def test_any_row_of_words_for_numbers_is_read_without_a_fault(words: list[str]) -> None:
     numbers = phrasebook().numbers
