@@ -11,6 +11,7 @@ import numpy as np
 from assistant.errors import BadInput, NothingLearned
 from assistant.learning.candidates import Evidence, gather
 from assistant.learning.confidence import all_right
+from assistant.learning.parting import only_leaves, with_leaving
 from assistant.learning.points import episodes, points, signal_votes
 from assistant.learning.questions import questions
 from assistant.learning.reading import Understood, read, read_cuts
@@ -147,12 +148,19 @@ def _told(
     cues_s = np.array([cue.at_s for cue in demonstration.cues]) - (lag_s or 0.0)
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
     found = points(understood, evidence, votes, cues_s, settings)
-    parts = _reassigned(episodes(understood, evidence, leaves), assigned, task)
+    parts = episodes(understood, evidence, leaves)
     sure, left_out = 1.0, dict[str, float]()
     if not told:
+        found, parts = with_leaving(evidence, found, parts, cues_s)
         left_out = {leaves[k].name: chance for k, chance in understood.left_out().items()}
         cuts = [point.confidence for point in found if point.kept and not point.internal]
         sure = all_right(understood, np.array(cuts), cues_s)
+    parts = _reassigned(parts, assigned, task)
+    unheard = [
+        place
+        for place in (() if told else understood.unheard())
+        if not only_leaves(evidence, place[0], place[1], cues_s)
+    ]
     return Segmentation(
         points=found,
         episodes=parts,
@@ -165,7 +173,7 @@ def _told(
             parts,
             sure,
             left_out,
-            () if told else understood.unheard(),
+            unheard,
         ),
         vote_t_s=evidence.smoothed.t_s,
         vote=overall(votes, settings.votes.weights),

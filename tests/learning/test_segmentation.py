@@ -246,9 +246,14 @@ def test_the_papers_method_stays_available() -> None:
 
 
 def test_a_made_demonstration_is_cut_into_what_it_shows() -> None:
-    """Drawing back after placing is a step of its own, asked about where nobody named it."""
+    """Drawing back after placing is a step of its own where it was named or a cue tells of it."""
     shown, task = lessons.demonstration(), lessons.task()
     found = segment(shown, task)
+    assert np.allclose(found.cuts_s, lessons.CUTS_S, atol=0.1)
+    assert "never_introduced" not in {one.reason for one in found.questions}
+    assert any(point.internal and abs(point.at_s - 14.0) < 0.1 for point in found.points)
+    cues = tuple(Spoken(cut + 0.6, "next") for cut in (*lessons.CUTS_S, 14.0))
+    found = segment(replace(shown, cues=cues), task)
     assert np.allclose(found.cuts_s, [*lessons.CUTS_S, 14.0], atol=0.1)
     assert found.episodes[-1].primitive is None
     assert "never_introduced" in [one.reason for one in found.questions]
