@@ -68,31 +68,19 @@ class Remembered:
         self, samples: Samples, phrases: Sequence[str], *, loud: bool = False
     ) -> tuple[float, ...]:
         """Return how well phrases explain the sound, asking only about those not asked before."""
-        return self._weighed(samples, phrases, "loud likelihood" if loud else "likelihood")
-
-    def explained(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        """Return how well phrases explain the sound, asking only about those not asked before."""
-        return self._weighed(samples, phrases, "explained")
-
-    def _weighed(self, samples: Samples, phrases: Sequence[str], kind: str) -> tuple[float, ...]:
+        kind = "loud likelihood" if loud else "likelihood"
         keys = [_key(samples, (kind, phrase)) for phrase in phrases]
         new = [phrase for key, phrase in zip(keys, phrases, strict=True) if key not in self._known]
         if new:
+            assert isinstance(self._recognizer, Weigher)
             began_s = time.process_time()
-            told = self._asked(samples, new, kind)
+            told = self._recognizer.likelihoods(samples, new, loud=loud)
             took_s = (time.process_time() - began_s) / len(new)
             for phrase, likelihood in zip(new, told, strict=True):
                 one = (Recognized(phrase, round(likelihood, 3)),)
                 self._keep(_key(samples, (kind, phrase)), one, took_s)
         self.took_s[-1] += sum(self._known[key][1] for key in keys)
         return tuple(self._known[key][0][0].sure for key in keys)
-
-    def _asked(self, samples: Samples, phrases: Sequence[str], kind: str) -> tuple[float, ...]:
-        if kind == "explained":
-            assert isinstance(self._recognizer, Rereader)
-            return self._recognizer.explained(samples, phrases)
-        assert isinstance(self._recognizer, Weigher)
-        return self._recognizer.likelihoods(samples, phrases, loud=kind.startswith("loud"))
 
     def _keep(self, key: str, readings: tuple[Recognized, ...], took_s: float) -> None:
         self._known[key] = (readings, took_s)

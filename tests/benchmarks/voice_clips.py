@@ -25,10 +25,7 @@ from assistant.shells.voice.sound import Samples, read_sound
 from tests.benchmarks.bench_language import rows, same
 from tests.benchmarks.voices import NOISES, Speaker, noise, noisy, placed, speakers, spoken
 
-FILES: dict[str, tuple[str, ...]] = {
-    "tuned": ("tuning", "tuning4"),
-    "reported": ("tuning5", "tuning6"),
-}
+FILES = {"tuned": ("tuning", "tuning4"), "reported": ("tuning5", "tuning6")}
 MOST_WORDS = 14
 PRACTICE = Listening(stage="practice")
 WORDS = (

@@ -145,17 +145,13 @@ def noisy(clip: Samples, noise: Noise, snr_db: float) -> Samples:
 
 
 def noise(kind: str, count: int, rng: np.random.Generator, folder: Path) -> Noise:
-    """Return noise: white, pink, a fan, kitchen (water, hum, clatter), music, others who talk.
+    """Return noise: white, pink, kitchen (water, hum, clatter), or others who talk.
 
     Those of "babble" are of the tuned group, those of "crowd" of the reported one.
     """
     if kind in _TALKING:
         return _talking(*_TALKING[kind], count, rng, folder)
-    if kind == "music":
-        return _music(count, rng)
     white = rng.standard_normal(count)
-    if kind == "fan":
-        return _fan(white, rng)
     if kind == "white":
         return white
     pink = _pink(white)
@@ -178,32 +174,6 @@ def _kitchen(pink: Noise, rng: np.random.Generator) -> Noise:
         tones = sum(np.sin(2 * np.pi * f * at_s) for f in rng.uniform(1200.0, 6000.0, 4))
         sound += np.where(at_s >= hit_s, rings, 0.0) * tones * rng.uniform(1.0, 3.0)
     return np.asarray(sound)
-
-
-def _music(count: int, rng: np.random.Generator) -> Noise:
-    """Return chords of plucked tones with overtones, one after another."""
-    at_s = np.arange(count) / RATE_HZ
-    sound = 1e-3 * rng.standard_normal(count)
-    from_s = 0.0
-    while from_s < count / RATE_HZ:
-        lasting_s = rng.uniform(0.15, 0.5)
-        struck = np.where(at_s >= from_s, np.exp(-np.clip(at_s - from_s, 0.0, None) / lasting_s), 0)
-        for tone_hz in 220.0 * 2.0 ** (rng.integers(-12, 24, 3) / 12.0):
-            sound += struck * sum(
-                np.sin(2 * np.pi * tone_hz * times * at_s) / times for times in range(1, 5)
-            )
-        from_s += lasting_s
-    return np.asarray(sound)
-
-
-def _fan(white: Noise, rng: np.random.Generator) -> Noise:
-    """Return the rush of air in beats, and a motor's hum."""
-    spectrum = np.fft.rfft(white)
-    spectrum /= 1.0 + np.fft.rfftfreq(len(white), 1 / RATE_HZ) / rng.uniform(200.0, 600.0)
-    rush = np.fft.irfft(spectrum, len(white))
-    turns = 2 * np.pi * np.arange(len(white)) / RATE_HZ
-    beats = 1.0 + 0.3 * np.sin(rng.uniform(5.0, 20.0) * turns)
-    return np.asarray(rush / np.std(rush) * beats + 0.4 * np.sin(rng.uniform(80.0, 160.0) * turns))
 
 
 _CHAT = (

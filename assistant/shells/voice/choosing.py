@@ -114,7 +114,7 @@ class Chooser:
     def __init__(self, slow: Weigher, language: str = "english") -> None:
         self._slow = slow
         self._language = language
-        self.wording = wording(language)
+        self._wording = wording(language)
         self._unheard: dict[str, float] = {}
 
     def choose(self, said: Said) -> Heard:
@@ -123,36 +123,28 @@ class Chooser:
             heard = self._weighed(said, said.texts, (), ())
             if is_sure(heard) and _is_sentence(heard.text):
                 return heard
-        made = self._made_of(said)
-        texts = self._texts(said, made)
-        return self._weighed(said, texts, said.phrases, made if said.free else ())
-
-    def possible(self, said: Said, again: Sequence[str]) -> tuple[str, ...]:
-        """Return all that may have been said, what was read `again` with it."""
-        return _lasting(said, self._texts(said, self._made_of(said), again), again)
-
-    def _made_of(self, said: Said) -> tuple[str, ...]:
         known = said.texts[:ALIKE_TO]
-        return tuple(text for one in known for text in self._made(one, said.listening))
-
-    def _texts(self, said: Said, made: Sequence[str], again: Sequence[str] = ()) -> tuple[str, ...]:
-        alike = self._alike(said.texts[:ALIKE_TO])
-        texts = (*said.texts, *again, *said.phrases, *made, *alike)
-        if self._language != "english" or said.free:
-            return texts
-        return sounding(texts, said.texts, LIKE_HEARD)
+        made = tuple(text for one in known for text in self._made(one, said.listening))
+        texts: Sequence[str] = (*said.texts, *said.phrases, *made, *self._alike(known))
+        if self._language == "english" and not said.free:
+            texts = sounding(texts, said.texts, LIKE_HEARD)
+        return self._weighed(said, texts, said.phrases, made if said.free else ())
 
     def _weighed(
         self, said: Said, texts: Iterable[str], phrases: Sequence[str], mends: Sequence[str]
     ) -> Heard:
         """Weigh texts; `phrases` are likelier than they sound, and so are `mends`."""
-        fitting = _lasting(said, texts)
+        fitting = tuple(
+            text
+            for text in dict.fromkeys(texts)
+            if text in said.texts or length_penalty(text, said.speech_s) < TOO_LONG
+        )
         likely = self._slow.likelihoods(said.samples, fitting, loud=said.loud)
         found = zip(fitting, likely, strict=True)
-        told = {text: one - self.rare(text, said.listening) for text, one in found}
+        told = {text: one - self._rare(text, said.listening) for text, one in found}
         before = self._before([phrase for phrase in phrases if phrase in told])
         before |= {text: MENDED for text in mends if text in told}
-        meant = {text: self.meaning(text, said.listening) for text in told}
+        meant = {text: self._meaning(text, said.listening) for text in told}
         surely = frozenset() if said.free else {text for text in meant if means(meant[text])}
         shares = weighed(
             told,
@@ -160,27 +152,26 @@ class Chooser:
             expected=before,
             agreed=said.seconded,
             meant=surely,
-            worded=self.worded(text for text in told if text not in phrases),
+            worded=self._worded(text for text in told if text not in phrases),
         )
         return decided(shares, lambda text: meant[text], said.clear_db)
 
-    def meaning(self, text: str, listening: Listening) -> Understanding:
-        """Return what words mean where the dialogue stands."""
+    def _meaning(self, text: str, listening: Listening) -> Understanding:
         said = written(text, listening.asked, self._language)
         return understand(said, listening, self._language)
 
-    def worded(self, texts: Iterable[str]) -> dict[str, float]:
+    def _worded(self, texts: Iterable[str]) -> dict[str, float]:
         """Return how likely a teacher says each text, where that is known."""
-        known = self.wording
+        known = self._wording
         return {} if known is None else {text: known.likelihood(text) for text in texts}
 
-    def rare(self, text: str, listening: Listening) -> float:
+    def _rare(self, text: str, listening: Listening) -> float:
         """Return what is taken off a reading that is hardly ever said here."""
         if listening.asked in OPEN:
             return RARE if "please" in text.split() else 0.0
         if listening.stage != "demonstration" or listening.asked is not None:
             return 0.0
-        return RARE if self.meaning(text, listening).acts == (Deny(),) else 0.0
+        return RARE if self._meaning(text, listening).acts == (Deny(),) else 0.0
 
     def _before(self, phrases: Sequence[str]) -> dict[str, float]:
         """Return how likely the recognizer finds phrases before it listens, asked once."""
@@ -209,27 +200,17 @@ class Chooser:
         if self._language != "english":
             return
         names = (listening.task, *listening.objects, *listening.subtasks)
-        before = self.meaning(heard, listening)
+        before = self._meaning(heard, listening)
         for text in self._likeliest(repaired(heard, names, self._language)):
-            meant = self.meaning(text, listening)
+            meant = self._meaning(text, listening)
             if means(meant) and not (means(before) and meant.acts == before.acts):
                 yield text
 
     def _likeliest(self, texts: Sequence[str]) -> Sequence[str]:
         """Return the few texts a teacher likeliest says, whatever their length."""
-        likely = self.worded(texts)
+        likely = self._worded(texts)
         ranked = sorted(texts, key=lambda text: -likely.get(text, 0.0) - len(text.split()))
         return ranked[:REPAIRS_TRIED]
-
-
-def _lasting(said: Said, texts: Iterable[str], again: Sequence[str] = ()) -> tuple[str, ...]:
-    """Return what was read, and what may have taken as long as somebody spoke, each once."""
-    read = {*said.texts, *again}
-    return tuple(
-        text
-        for text in dict.fromkeys(texts)
-        if text in read or length_penalty(text, said.speech_s) < TOO_LONG
-    )
 
 
 def _is_sentence(text: str) -> bool:

@@ -175,7 +175,7 @@ def decided(
     acted = max(votes, key=lambda one: votes[one], default=None)
     if acted is None or votes[acted] < ASK_SHARE:
         return nothing_heard(read[0].text)
-    chosen = best_of([one for one in read if one.kind == acted])
+    chosen = _best_of([one for one in read if one.kind == acted])
     candidate = next(one for one in found if one.text == chosen.text)
     fit = candidate.fit
     alone = votes[acted] >= ALONE_SHARE
@@ -184,7 +184,7 @@ def decided(
         return nothing_heard(chosen.text)
     rival = max((share for kind, share in votes.items() if kind != acted), default=0.0)
     well = fit >= worst and votes[acted] >= SURE_SHARE and rival < RIVAL_SHARE
-    usual = candidate.expected or not chosen.numbers or is_few(chosen)
+    usual = candidate.expected or not chosen.numbers or _few(chosen)
     other = (
         one.weight
         for one in read
@@ -205,7 +205,7 @@ def _worst(clear_db: float) -> float:
     return least + share * (most - least)
 
 
-def best_of(alike: Sequence[Reading]) -> Reading:
+def _best_of(alike: Sequence[Reading]) -> Reading:
     """Return the likeliest of readings that mean the same; one that surely does goes before."""
     likeliest = alike[0]
     surer = (
@@ -216,7 +216,7 @@ def best_of(alike: Sequence[Reading]) -> Reading:
     return next(surer, likeliest)
 
 
-def is_few(reading: Reading) -> bool:
+def _few(reading: Reading) -> bool:
     """Whether it answers with a small number; one nobody would expect is asked about."""
     return all(getattr(act, "value", MOST_STEPS) < MOST_STEPS for act in reading.acts)
 

@@ -2,13 +2,12 @@
 
 The quickest recognizer comes first; a slower one is asked where the first is not to be trusted
 alone: short utterances, names, what does not parse, and a room that is not quiet. Where it can
-tell how well given words explain the sound, all that may have been said is weighed alike; in a
-loud room all else that speaks for it counts too.
+tell how well given words explain the sound, all that may have been said is weighed alike.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -34,7 +33,6 @@ from assistant.shells.voice.deciding import (
     voted,
 )
 from assistant.shells.voice.foreground import foreground
-from assistant.shells.voice.in_noise import InNoise
 from assistant.shells.voice.phonemes import nearest
 from assistant.shells.voice.recognized import Recognized, Recognizer, Rereader, Weigher
 from assistant.shells.voice.repairing import written
@@ -45,6 +43,8 @@ QUICK = 0.5
 NEAR = 0.35
 MARGIN = 0.08
 SHORTEST_S = 1.0
+READ_AGAIN = 2
+"""So many readings of the quick recognizer may second what is doubted."""
 
 SINGLE_WORDS = (
     "yes", "no", "stop", "left", "right", "up", "down", "forward", "backward", "go", "again",
@@ -75,34 +75,18 @@ class Hearing:
     recognizers : sequence of Recognizer
         The quickest first.
     language : str
-    in_noise : InNoise, optional
-        What chooses in a loud room; else it is made of the recognizers, if they can tell enough.
     """
 
-    def __init__(
-        self,
-        recognizers: Sequence[Recognizer],
-        language: str = "english",
-        in_noise: InNoise | None = None,
-    ) -> None:
+    def __init__(self, recognizers: Sequence[Recognizer], language: str = "english") -> None:
         self._recognizers = tuple(recognizers)
         self._language = language
         slow = self._recognizers[-1]
         self._chooser = Chooser(slow, language) if isinstance(slow, Weigher) else None
-        self._in_noise = in_noise or self._made_for_noise()
 
     @property
     def names(self) -> tuple[str, ...]:
         """Names of the recognizers, for telling the teacher."""
         return tuple(recognizer.name for recognizer in self._recognizers)
-
-    def _made_for_noise(self) -> InNoise | None:
-        quick = self._recognizers[0]
-        if self._language != "english" or self._chooser is None:
-            return None
-        if not isinstance(quick, Rereader):
-            return None
-        return InNoise(self._chooser, quick)
 
     def hear(self, samples: Samples, listening: Listening) -> Heard:
         """Return what the utterance means where the dialogue stands."""
@@ -125,7 +109,35 @@ class Hearing:
                 return as_heard(read[0], 1.0)
             readings += read
         said = Said(samples, near_by.speech_s, readings, phrases, listening, near_by.clear_db)
-        return self._settled(said)
+        return self._seconded(said, self._settled(said))
+
+    def _seconded(self, said: Said, heard: Heard) -> Heard:
+        """Return what is doubted as sure, if another recognizer reads it too and nothing else.
+
+        In a loud room no words explain the sound well; but noise seldom makes two models, of
+        which neither knows the other, read the same meaning. Of a lone word it does: "go" and
+        "no" differ by one sound, which either all hear or none.
+        """
+        doubted = heard.sure < 1.0 and not is_unknown(heard.understanding)
+        if not (doubted and said.loud) or said.free:
+            return heard
+        last = said.readings[-1].recognizer
+        read = {one.acts for one in said.readings if one.recognizer == last}
+        again = [
+            one for one in self._reread(said) if one.acts in read and not is_unknown(one.meant)
+        ]
+        # What is only guessed seconds nothing, but speaks against another meaning.
+        sure = [one for one in again if one.commands and " " in one.text]
+        if not sure or {one.acts for one in again} != {heard.understanding.acts}:
+            return heard
+        return as_heard(sure[0], 1.0)
+
+    def _reread(self, said: Said) -> Iterator[Reading]:
+        """Yield the likeliest readings of those recognizers that can tell more than one."""
+        for other in self._recognizers[:-1]:
+            found = other.reread(said.samples) if isinstance(other, Rereader) else ()
+            for one in found[:READ_AGAIN]:
+                yield self._read(one, 1.0, other.name, said.listening)
 
     def _settled(self, said: Said) -> Heard:
         """Return what all readings come to."""
@@ -139,8 +151,6 @@ class Hearing:
         sure = named is not None and named.understanding.confidence >= SURE
         if named is not None and sure and not rivals(named.text, listening):
             return named
-        if self._in_noise is not None and said.loud and readings and not said.free:
-            return self._in_noise.choose(said)
         if self._chooser is not None and readings:
             return self._chooser.choose(said)
         return voted(readings, phrases) or self._by_sound(readings, phrases, listening)

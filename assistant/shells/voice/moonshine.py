@@ -16,7 +16,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assistant.shells.voice.pieces import Pieces
 from assistant.shells.voice.recognized import Recognized, merged, plain_words
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
@@ -26,8 +25,7 @@ BEGIN, END = 1, 2
 HEADS, WIDTH = 8, 36
 BEAM = 4
 """So many readings are followed at once where more than the likeliest is asked for."""
-AT_ONCE = 4
-"""Phrases weighed at once: more take memory."""
+SPACE = "\u2581"
 Arrays = dict[str, NDArray[Any]]
 
 
@@ -60,64 +58,31 @@ class Moonshine:
     name = "moonshine tiny"
 
     def __init__(self, folder: Path) -> None:
-        self._pieces = Pieces((folder / "tokenizer.bin").read_bytes())
+        self._pieces = read_pieces((folder / "tokenizer.bin").read_bytes())
         self._encoder = _session(folder / "encoder_model.ort")
         self._decoder = _session(folder / "decoder_model_merged.ort")
         names = [one.name for one in self._decoder.get_inputs()]
         self._past = [name for name in names if name.startswith("past_key_values")]
         self._told = [one.name for one in self._decoder.get_outputs()]
-        self._last: tuple[Samples, Arrays] | None = None
 
     def recognize(
         self, samples: Samples, hot_words: Sequence[str] = (), *, loud: bool = False
     ) -> tuple[Recognized, ...]:
         """Return the words heard; hot words are not known to this model."""
-        words = plain_words(self._pieces.written(self._read(self._heard(samples), _most(samples))))
+        words = plain_words(self._written(self._read(self._heard(samples), _most(samples))))
         return (Recognized(words),) if words else ()
 
     def reread(self, samples: Samples) -> tuple[Recognized, ...]:
         """Return the likeliest readings, each with how likely it is."""
         ended = self._followed(self._heard(samples), _most(samples))
-        return merged(
-            (plain_words(self._pieces.written(one.pieces)), exp(one.likely)) for one in ended
-        )
-
-    def explained(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        """Return how well each phrase explains the sound, as natural logarithms.
-
-        A phrase is written as the model writes sentences, with a full stop.
-        """
-        given = self._heard(samples)
-        cut = [(*self._pieces.cut(f"{one[:1].upper()}{one[1:]}."), END) for one in phrases]
-        told: list[float] = []
-        for at in range(0, len(cut), AT_ONCE):
-            told += self._likely(given, cut[at : at + AT_ONCE])
-        return tuple(told)
-
-    def _likely(self, given: Arrays, cut: Sequence[tuple[int, ...]]) -> Iterator[float]:
-        """Yield how likely each row of pieces is, all of it read at once."""
-        longest = max(map(len, cut))
-        read = np.full((len(cut), longest), END, dtype=np.int64)
-        for row, pieces in zip(read, cut, strict=True):
-            row[: len(pieces)] = (BEGIN, *pieces[:-1])
-        many = {name: np.repeat(one, len(cut), axis=0) for name, one in given.items()}
-        none = np.zeros((len(cut), HEADS, 0, WIDTH), dtype=np.float32)
-        begun = {"input_ids": read, "use_cache_branch": np.array([False])}
-        past = dict.fromkeys(self._past, none)
-        scores = self._decoder.run(self._told[:1], {**many, **past, **begun})[0]
-        for row, pieces in zip(scores, cut, strict=True):
-            likely = _likelihoods(row[: len(pieces)])
-            yield float(likely[np.arange(len(pieces)), list(pieces)].sum())
+        return merged((plain_words(self._written(one.pieces)), exp(one.likely)) for one in ended)
 
     def _heard(self, samples: Samples) -> Arrays:
-        """Return the model's view of an utterance, made once for all questions."""
-        if self._last is None or self._last[0] is not samples:
-            sound = np.asarray(samples, dtype=np.float32)[None]
-            mask = np.ones(sound.shape, dtype=np.int64)
-            encoded = self._encoder.run(None, {"input_values": sound, "attention_mask": mask})[0]
-            told = {"encoder_attention_mask": mask, "encoder_hidden_states": encoded}
-            self._last = (samples, told)
-        return self._last[1]
+        """Return the model's view of an utterance."""
+        sound = np.asarray(samples, dtype=np.float32)[None]
+        mask = np.ones(sound.shape, dtype=np.int64)
+        encoded = self._encoder.run(None, {"input_values": sound, "attention_mask": mask})[0]
+        return {"encoder_attention_mask": mask, "encoder_hidden_states": encoded}
 
     def _followed(self, given: Arrays, most: int) -> Iterator[Begun]:
         """Yield readings that came to an end, following the likeliest few piece by piece."""
@@ -167,6 +132,10 @@ class Moonshine:
             for name, kept in past.items()
         }
 
+    def _written(self, read: Sequence[int]) -> str:
+        told = b"".join(self._pieces[piece] for piece in read)
+        return told.decode("utf-8", "replace").replace(SPACE, " ")
+
 
 def _most(samples: Samples) -> int:
     return int(len(samples) / RATE_HZ * TOKENS_PER_S) + 2
@@ -174,7 +143,8 @@ def _most(samples: Samples) -> int:
 
 def _ways(open_now: Sequence[Begun], scores: NDArray[Any]) -> list[tuple[int, Begun]]:
     """Return how readings may go on, the likeliest first, each with the one it goes on from."""
-    likely = _likelihoods(scores)
+    most = scores.max(axis=1, keepdims=True)
+    likely = scores - most - np.log(np.exp(scores - most).sum(axis=1, keepdims=True))
     found = [
         (at, Begun((*one.pieces, int(piece)), one.likely + float(likely[at, piece])))
         for at, one in enumerate(open_now)
@@ -183,10 +153,19 @@ def _ways(open_now: Sequence[Begun], scores: NDArray[Any]) -> list[tuple[int, Be
     return sorted(found, key=lambda way: -way[1].likely)
 
 
-def _likelihoods(scores: NDArray[Any]) -> NDArray[Any]:
-    """Return the natural logarithms of how likely pieces are, from their scores."""
-    above = scores - scores.max(axis=1, keepdims=True)
-    return np.asarray(above - np.log(np.exp(above).sum(axis=1, keepdims=True)))
+def read_pieces(told: bytes) -> list[bytes]:
+    """Return the word pieces of a tokenizer file: each behind its length, in one byte or two."""
+    pieces: list[bytes] = []
+    at = 0
+    while at < len(told):
+        length = told[at]
+        at += 1
+        if length >= 128:
+            length += 128 * told[at] - 128
+            at += 1
+        pieces.append(told[at : at + length])
+        at += length
+    return pieces
 
 
 def _session(path: Path) -> Any:

@@ -48,16 +48,10 @@ class Weigher(Protocol):
 
 @runtime_checkable
 class Rereader(Protocol):
-    """A recognizer that can tell what else it may have read, and of any words how likely."""
-
-    name: str
+    """A recognizer that can tell what else it may have read."""
 
     def reread(self, samples: Samples) -> tuple[Recognized, ...]:
         """Return the likeliest few readings, which takes longer than `recognize`."""
-        ...
-
-    def explained(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        """Return how well each phrase explains the sound, as natural logarithms."""
         ...
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import log
 
 import numpy as np
 
@@ -46,10 +45,6 @@ class Rereads(Reads):
 
     def reread(self, samples: Samples) -> tuple[Recognized, ...]:
         return self.readings
-
-    def explained(self, samples: Samples, phrases: Sequence[str]) -> tuple[float, ...]:
-        likely = {one.text: log(one.sure) for one in self.readings}
-        return tuple(likely.get(phrase, -30.0) for phrase in phrases)
 
 
 def heard(
