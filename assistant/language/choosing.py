@@ -18,7 +18,7 @@ from assistant.language.commands import settled
 from assistant.language.cutting import cuts, sure_cuts
 from assistant.language.forbidding import turned
 from assistant.language.last_word import uncontradicted
-from assistant.language.leading_answers import with_answer
+from assistant.language.leading_answers import with_answer, without_nothing
 from assistant.language.learned import learned
 from assistant.language.looks import Candidate, Looks, key_of, kind_of, look_at
 from assistant.language.open_answers import ASIDE, NOT_ANSWERS
@@ -38,6 +38,7 @@ from assistant.language.trusting import (
     strange,
     swapped,
     trusted_from,
+    unheard,
     wondering,
 )
 from assistant.language.weighing import praised
@@ -148,7 +149,7 @@ def _score(
         score, weighed = min(score, DOUBTFUL), replace(weighed, score=min(weighed.score, DOUBTFUL))
     if acts != weighed.acts:
         return score
-    trusted = trusted_from(weighed, hearing)
+    trusted = trusted_from(weighed, hearing, len(words))
     trusted = min(trusted, known.exact_from) if known and weighed.exact else trusted
     if consenting(weighed, chances, hearing) or right >= trusted:
         return max(score, weighed.score)
@@ -174,8 +175,7 @@ def _kept_from(
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Inform):
         return weighed.score > _DOUBTED
     if isinstance(weighed.acts[0], Unknown) and isinstance(acts[0], Affirm | Deny | Approve):
-        book = hearing.book
-        return any(w.text not in book.vocabulary and w.text not in book.real for w in words)
+        return unheard(acts, words, hearing)
     if not isinstance(weighed.acts[0], Inform):
         return False
     if _told_whole(words, hearing) and isinstance(acts[0], Inform):
@@ -250,6 +250,7 @@ def candidates(
     def add(acts: tuple[TeacherAct, ...], looks: Looks) -> None:
         acts = uncontradicted(unbent(acts, words, hearing), words, hearing)
         acts = by_parts(with_answer(acts, words, hearing), words, hearing)
+        acts = without_nothing(acts, hearing)
         one = pool.setdefault(key_of(acts), Candidate(acts))
         one.looks = {**looks, **one.looks}
 

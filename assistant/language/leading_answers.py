@@ -6,6 +6,7 @@ wrong; a reading of the rest alone would leave the question open.
 
 from __future__ import annotations
 
+from assistant.language.frames import classes_of
 from assistant.language.parsing import Hearing
 from assistant.language.words import Words
 from assistant.model.teacher_acts import (
@@ -45,3 +46,16 @@ def with_answer(
     if words[0].text in book.no:
         return (Deny(), *acts)
     return (Affirm(), *acts) if words[0].text in book.yes else acts
+
+
+def without_nothing(acts: tuple[TeacherAct, ...], hearing: Hearing) -> tuple[TeacherAct, ...]:
+    """Return "nothing may be left out" as the no it is where that was asked."""
+    asked = hearing.listening.asked == "optional"
+    return tuple(Deny() if asked and _names_nothing(act, hearing) else act for act in acts)
+
+
+def _names_nothing(act: TeacherAct, hearing: Hearing) -> bool:
+    if not isinstance(act, Optional | Required):
+        return False
+    words = tuple(act.subtask.lower().split())
+    return len(words) == 1 and "no" in classes_of(words, hearing.language)

@@ -149,6 +149,16 @@ def _distance(run: Span, used: set[int]) -> float:
     return min(gaps, default=float(run[0]))
 
 
+def _with_noun(words: Words, run: Span, steps: frozenset[str], hearing: Hearing) -> bool:
+    """Tell a long name with the noun of a step behind it: "the twist knob bit"."""
+    start, end = run
+    led = start > 0 and words[start - 1].text in hearing.book.little["articles"]
+    if end - start <= _CLEAR or not led or words[end - 1].text not in steps:
+        return False
+    whole = said(words[start:end])
+    return whole not in hearing.listening.subtasks
+
+
 def named_text(words: Words, run: Span, hearing: Hearing) -> str:
     """Return the known name a stretch refers to, or its own words; "step two" is whole."""
     start, end = run
@@ -161,6 +171,7 @@ def named_text(words: Words, run: Span, hearing: Hearing) -> str:
         end += words[end].text in steps
     if end - start == 1 and numbers.number(texts_of(words), start) and start:
         start -= words[start - 1].text in steps
+    end -= not ranked and _with_noun(words, (start, end), steps, hearing)
     part = words[start:end]
     names = hearing.listening.subtasks
     return known_name(texts_of(part), names, hearing.book) or said(part)

@@ -12,6 +12,7 @@ from assistant.language.words import Words, said
 from assistant.model.teacher_acts import (
     Again,
     Compare,
+    Deny,
     Explain,
     Inform,
     Load,
@@ -26,18 +27,31 @@ from assistant.model.teacher_acts import (
 FREE_ANSWERS = ("goal", "facing")
 _TRUSTED, _ASKING, _ANSWERING, _PLAINLY, _NEVER = 0.94, 0.8, 0.92, 0.75, 1.0
 """What the grammar is sure of is doubted below: where another act or name costs most, the most."""
+_YES_OR_NO = frozenset(
+    ("confirm_tree", "confirm_segmentation", "ready", "satisfied", "optional", "order")
+)
+"""Questions that a yes or no answers whatever stands beside it."""
 _SHORT_NAMES = {"task_name": 3, "subtask_name": 4}
 _JOINED_NAME = 5
+_FEW, _MOVING, _MENDING = 3, 0.85, 0.9
 _WHOLE, _TRYING = SURE - 0.02, 0.75
 _TRIED = "again"
 """How a correction is read that is to be tried at once: each of its parts is plain."""
 
 
-def trusted_from(weighed: Parse, hearing: Hearing) -> float:
-    """Return from which probability the grammar is trusted: known names and counts are plain."""
+def trusted_from(weighed: Parse, hearing: Hearing, size: int = 0) -> float:
+    """Return from which probability the grammar is trusted: known names and counts are plain.
+
+    Parameters
+    ----------
+    size : int
+        How many words were said, if that is known: of few words a motion is plain.
+    """
     act, listening = weighed.acts[0], hearing.listening
     if weighed.how == _TRIED:
         return _TRYING
+    if weighed.how == "motion" and 0 < size <= _FEW:
+        return _MOVING
     if names_step(weighed.acts, hearing) or isinstance(act, Unknown):
         return 0.0
     if isinstance(act, Inform):
@@ -47,7 +61,7 @@ def trusted_from(weighed: Parse, hearing: Hearing) -> float:
         # Where a name that nobody knows begins and ends the grammar cannot tell.
         return _NEVER
     if weighed.how == "mended":
-        return _ANSWERING
+        return _MENDING
     placed = isinstance(act, SetPose) and act.object in listening.objects
     return _ASKING if placed or isinstance(act, Explain) else _TRUSTED
 
@@ -90,6 +104,18 @@ def strange(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> boo
     pages = [act_to_json(one) for one in acts]
     named = " ".join(str(page["where"].get("subtask")) for page in pages if page.get("where"))
     return bool(odd - set(named.lower().split()))
+
+
+def unheard(acts: tuple[TeacherAct, ...], words: Words, hearing: Hearing) -> bool:
+    """Tell words of which some stand in no list, and no is not their first or last where asked.
+
+    "No dear, half of it went on the carpet" answers whether all is well.
+    """
+    book = hearing.book
+    odd = any(w.text not in book.vocabulary and w.text not in book.real for w in words)
+    asked = hearing.listening.asked in _YES_OR_NO
+    told = words[0].text in book.no or words[-1].text in book.no
+    return odd and not (asked and told and acts == (Deny(),))
 
 
 def consenting(weighed: Parse, chances: Chances, hearing: Hearing) -> bool:

@@ -31,6 +31,7 @@ from assistant.plain_yaml import read_file
 from tests.benchmarks import act_net, net_fitting, slot_clauses
 from tests.benchmarks.aligning import prepared
 from tests.benchmarks.bench_language import CORPUS, FILES, FRESH, SURE, Row, rows
+from tests.benchmarks.joined_nets import joined_acts
 from tests.benchmarks.patterns import made
 
 _PENALTY = 0.3
@@ -42,6 +43,7 @@ _BY_KIND = frozenset(
     ("inform", "rename", "optional", "required", "unordered", "ordered", "add_subtask")
 ) | {"remove_subtask", "merge", "split", "assign", "set_pose", "save", "load", "compare"}
 """Acts that how their slots are told tells whole."""
+_SEEDS = (1, 2, 3)
 _SEEN, _EPOCHS = 1.2, 12
 """How often the net sees an example that counts one, and how often it sees them all."""
 
@@ -175,7 +177,9 @@ def net_of(examples: Sequence[Example], labels: Sequence[str]) -> Net:
     ]
     counts = np.minimum(1.0, np.array([one.weight for one in examples]) * _SEEN)
     wanted = targets(examples, labels).astype(np.float32)
-    return act_net.fitted_net(taken, wanted, counts, context, _EPOCHS)
+    return joined_acts(
+        [act_net.fitted_net(taken, wanted, counts, context, _EPOCHS, seed) for seed in _SEEDS]
+    )
 
 
 def targets(examples: Sequence[Example], labels: Sequence[str]) -> NDArray[np.float64]:

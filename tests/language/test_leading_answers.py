@@ -2,7 +2,7 @@ from typing import cast
 
 import pytest
 
-from assistant.language.leading_answers import with_answer
+from assistant.language.leading_answers import with_answer, without_nothing
 from assistant.language.parsing import Hearing
 from assistant.language.phrasebook import phrasebook
 from assistant.language.words import words_of
@@ -12,6 +12,8 @@ from assistant.model.teacher_acts import (
     Asked,
     Deny,
     Merge,
+    Optional,
+    Required,
     TeacherAct,
     Translate,
 )
@@ -43,3 +45,13 @@ def test_only_an_answer_to_a_question_is_one() -> None:
     assert answered("no order between lift and carry", (MERGED,), "confirm_tree") == (MERGED,)
     moved = (Translate("left"),)
     assert answered("no, left", moved, "satisfied") == moved
+
+
+@pytest.mark.parametrize("name", ["nothing", "None"])
+def test_no_step_is_called_nothing_where_it_was_asked_what_may_be_left_out(name: str) -> None:
+    asked = Hearing(phrasebook(), Listening(stage="introduction", asked="optional"))
+    beside = Hearing(phrasebook(), Listening(stage="introduction"))
+    for act in (Optional(name), Required(name)):
+        assert without_nothing((act,), asked) == (Deny(),)
+        assert without_nothing((act,), beside) == (act,)
+    assert without_nothing((Optional("no lid"),), asked) == (Optional("no lid"),)

@@ -6,10 +6,13 @@ from hypothesis import strategies as st
 from assistant.language.families import row_of, vectors
 from assistant.language.likelihood import model
 from assistant.language.nets import (
+    MARKS,
     Net,
+    Scores,
     act_odds,
     context_of,
     packed,
+    seen_by,
     tag_scores,
     told_beside,
     unpacked,
@@ -20,6 +23,9 @@ from assistant.language.phrasebook import phrasebook
 from assistant.language.tagging import TAGS, chain, seconded
 from assistant.language.words import words_of
 from assistant.model.listening import Listening
+from tests.benchmarks.act_net import act_weights
+from tests.benchmarks.joined_nets import joined_acts, joined_tags
+from tests.benchmarks.tag_net import tag_weights
 
 
 def act_net() -> Net:
@@ -79,3 +85,34 @@ def test_the_tags_of_each_word_are_told_whatever_the_kind() -> None:
     assert seen is not None
     for kind in ("rename", "merge", "no such kind"):
         assert tag_scores(seen, kind, known.net).shape == (len(words), len(TAGS))
+
+
+_BESIDE, _WORDS = ("?None", "!practice", "=rename"), ("move", "the", "block", "left")
+
+
+def drawn(weights: dict[str, Scores], rng: np.random.Generator) -> Net:
+    told = {k: (rng.normal(size=v.shape) / 5).astype(np.float32) for k, v in weights.items()}
+    return Net(told, _BESIDE)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_nets_of_acts_side_by_side_say_the_mean_of_what_each_says(count: int) -> None:
+    rng, wide = np.random.default_rng(count), vectors("english").shape[1]
+    nets = [drawn(act_weights(rng, wide, len(_BESIDE), 7), rng) for _ in range(count)]
+    told = [np.log(act_odds(_WORDS, None, "practice", one, "english")) for one in nets]
+    odds = np.exp(np.mean(told, axis=0))
+    found = act_odds(_WORDS, None, "practice", joined_acts(nets), "english")
+    assert np.allclose(found, odds / odds.sum(), atol=1e-5)
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_nets_of_tags_side_by_side_say_the_mean_of_what_each_says(count: int) -> None:
+    rng, wide = np.random.default_rng(count), vectors("english").shape[1]
+    nets = [drawn(tag_weights(rng, wide, len(_BESIDE), 9), rng) for _ in range(count)]
+    marks = rng.random((len(_WORDS), MARKS)).astype(np.float32)
+
+    def scores(net: Net) -> Scores:
+        return tag_scores(seen_by(_WORDS, marks, None, "practice", net, "english"), "rename", net)
+
+    told = np.mean([scores(one) for one in nets], axis=0)
+    assert np.allclose(scores(joined_tags(nets)), told, atol=1e-4)

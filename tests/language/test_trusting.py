@@ -12,6 +12,7 @@ from assistant.language.trusting import (
     only_part,
     strange,
     trusted_from,
+    unheard,
     wondered,
 )
 from assistant.language.understanding import understand
@@ -20,6 +21,7 @@ from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
     Affirm,
     Assign,
+    Deny,
     Explain,
     Inform,
     Optional,
@@ -101,3 +103,36 @@ def test_saving_without_a_name_tells_none() -> None:
     assert not is_nameless((Save("lamp"),))
     assert is_nameless((Save(),))
     assert understand("save", Listening("practice")).confidence >= 0.85
+
+
+@pytest.mark.parametrize(
+    ("text", "act"),
+    [
+        ("no dear, half of it went on the carpet", Deny()),
+        ("no, my spaniel chewed the ribbon", Deny()),
+        ("my spaniel chewed the ribbon", Unknown()),
+    ],
+)
+def test_a_no_that_was_asked_for_is_heard_beside_words_nobody_listed(
+    text: str, act: Deny | Unknown
+) -> None:
+    asked = Listening(stage="practice", asked="satisfied")
+    assert understand(text, asked).acts == (act,)
+
+
+def test_words_nobody_listed_tell_no_yes_that_nobody_asked_for() -> None:
+    words = words_of("my spaniel", phrasebook().contractions)
+    assert unheard((Deny(),), words, hearing())
+    assert unheard((Deny(),), words, hearing(asked="goal"))
+    assert unheard((Affirm(),), words, hearing(asked="satisfied"))
+    # Only a no at the beginning or end tells one, whatever stands beside it.
+    assert unheard((Deny(),), words, hearing(asked="satisfied"))
+    told = words_of("no my spaniel", phrasebook().contractions)
+    assert not unheard((Deny(),), told, hearing(asked="satisfied"))
+
+
+@pytest.mark.parametrize("text", ["go right", "move down", "move up", "go left", "a bit lower"])
+def test_a_motion_told_in_few_words_is_sure(text: str) -> None:
+    meant = understand(text, Listening(stage="practice"))
+    assert isinstance(meant.acts[0], Translate)
+    assert meant.confidence >= 0.85
