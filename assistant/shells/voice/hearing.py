@@ -34,7 +34,13 @@ from assistant.shells.voice.deciding import (
 )
 from assistant.shells.voice.foreground import foreground
 from assistant.shells.voice.phonemes import nearest
-from assistant.shells.voice.recognized import Recognized, Recognizer, Rereader, Weigher
+from assistant.shells.voice.recognized import (
+    Recognized,
+    Recognizer,
+    Rereader,
+    Weigher,
+    is_loop,
+)
 from assistant.shells.voice.repairing import written
 from assistant.shells.voice.sound import RATE_HZ, Samples
 
@@ -104,12 +110,17 @@ class Hearing:
             found = recognizer.recognize(samples, hot, loud=loud)
             last = recognizer is self._recognizers[-1]
             weight = 1.0 if last else QUICK
+            found = tuple(one for one in found if not self._is_noise(one.text))
             read = [self._read(one, weight, recognizer.name, listening) for one in found]
             if not last and not loud and read and trusted(read[0], listening):
                 return as_heard(read[0], 1.0)
             readings += read
         said = Said(samples, near_by.speech_s, readings, phrases, listening, near_by.clear_db)
         return self._seconded(said, self._settled(said))
+
+    def _is_noise(self, text: str) -> bool:
+        """Whether words can only be a loop; whoever says stop over and over is in need."""
+        return is_loop(text) and not has_stop_word(text, self._language)
 
     def _seconded(self, said: Said, heard: Heard) -> Heard:
         """Return what is doubted as sure, if another recognizer reads it too and nothing else.

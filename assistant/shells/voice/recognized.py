@@ -10,6 +10,8 @@ from assistant.shells.voice.sound import Samples
 
 FEWEST_LETTERS = 3
 """So many letters on end are a word that is spelled."""
+FEWEST_REPEATED, REPEATS = 10, 4.0
+"""Words of a text, and how often on average each of them stands there, from which it is a loop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +55,15 @@ class Rereader(Protocol):
     def reread(self, samples: Samples) -> tuple[Recognized, ...]:
         """Return the likeliest few readings, which takes longer than `recognize`."""
         ...
+
+
+def is_loop(text: str) -> bool:
+    """Tell whether a text is a few words over and over: what recognizers make of noise.
+
+    Nobody says "no" ten times on end to answer a question.
+    """
+    words = text.split()
+    return len(words) >= FEWEST_REPEATED and len(words) >= REPEATS * len(set(words))
 
 
 def merged(readings: Iterable[tuple[str, float]]) -> tuple[Recognized, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from assistant.model.listening import Listening
 from assistant.model.teacher_acts import (
     Affirm,
+    Deny,
     Inform,
     Start,
     Stop,
@@ -203,3 +205,14 @@ def test_a_lone_word_stays_doubted_whoever_reads_it_too() -> None:
     slow = Weighs({"no": -9.0}, ("no", 0.5))
     one = heard(Rereads(("no", 0.5)), slow, sound=LOUD_ROOM)
     assert one.sure < 1.0
+
+
+def test_words_over_and_over_are_noise_but_a_stop_is_a_stop() -> None:
+    asked = Listening(stage="practice", asked="satisfied")
+
+    def meant(text: str, now: Listening = asked) -> tuple[TeacherAct, ...]:
+        return acted_on(heard(Reads((text, 1.0)), Reads((text, 1.0)), now))
+
+    assert meant(" ".join(["no"] * 40)) == ()
+    assert meant("no no no") == (Deny(),)
+    assert meant(" ".join(["stop"] * 40), replace(asked, moving=True)) == (Stop(),)
