@@ -12,7 +12,8 @@ from assistant.dialogue.doubting import without_guess
 from assistant.dialogue.state import AwaitingShow, Dialogue, Introducing
 from assistant.dialogue.turn import Turn, Words, changed, first, say
 from assistant.language.actions import mentioned_objects
-from assistant.language.hints import hints, matter, mentions
+from assistant.language.bodies import shape_in
+from assistant.language.hints import hints, mentions
 from assistant.model import teacher_acts as acts
 
 
@@ -22,9 +23,10 @@ def told_shape(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
         return None
     hit = _told(dialogue.language).search(words.text.lower())
     thing = _thing(dialogue, hit.group(1)) if hit else ""
-    if not hit or not thing:
+    shape = shape_in(hit.group(2), dialogue.language) if hit else None
+    if shape is None or not thing:
         return None
-    known, shape = dialogue.known, matter(hit.group(2), "shapes", dialogue.language)
+    known = dialogue.known
     x, y, z = known.scene.bodies[thing].size_mm
     # What is round is as wide as its longer side.
     wide = (x, y) if shape == "box" else (max(x, y), max(x, y))

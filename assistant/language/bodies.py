@@ -36,19 +36,25 @@ def read_body(text: str, language: str = "english", name: str = "") -> ToldBody:
     name : str
         What the body is called; a cup is a cup though only its size is told.
     """
+    shape = shape_in(text, language)
+    if shape is None and mentions(text, hints("places", language)):
+        # Lengths that tell where a thing is are no size.
+        return ToldBody(None, None)
+    shape = shape or shape_in(name, language)
+    lengths = read_lengths_mm(text, language)
+    return ToldBody(shape, _size(shape or "box", _upright_last(text, lengths, language)))
+
+
+def shape_in(text: str, language: str = "english") -> Shape | None:
+    """Return the shape that words name; what is only flat is a box."""
     shapes: dict[str, Shape] = {
         "box": "box",
         "cylinder": "cylinder",
         "sphere": "sphere",
         "cup": "cup",
+        "flat": "box",
     }
-    shape = shapes.get(matter(text, "shapes", language))
-    if shape is None and mentions(text, hints("places", language)):
-        # Lengths that tell where a thing is are no size.
-        return ToldBody(None, None)
-    shape = shape or shapes.get(matter(name, "shapes", language))
-    lengths = read_lengths_mm(text, language)
-    return ToldBody(shape, _size(shape or "box", _upright_last(text, lengths, language)))
+    return shapes.get(matter(text, "shapes", language))
 
 
 def _upright_last(text: str, lengths: tuple[float, ...], language: str) -> tuple[float, ...]:

@@ -72,3 +72,16 @@ def test_german_sizes_count_no_article(text: str, size_mm: tuple[float, ...]) ->
 def test_one_counts_where_lengths_are_told() -> None:
     assert read_body("one cube with 4 cm sides").size_mm == pytest.approx((40, 40, 40))
     assert read_body("one by two by three cm").size_mm == pytest.approx((10, 20, 30))
+
+
+@pytest.mark.parametrize(
+    ("text", "language", "shape"),
+    [
+        ("a flat round thing, 14 wide and 1.5 high", "english", "cylinder"),
+        ("flat, 25 by 20, 1 thick", "english", "box"),
+        ("ein flacher runder Teller, rund, 14 breit und 2 hoch", "german", "cylinder"),
+        ("flach, 25 mal 20 mal 1", "german", "box"),
+    ],
+)
+def test_what_is_flat_may_be_round(text: str, language: str, shape: str) -> None:
+    assert read_body(text, language).shape == shape
