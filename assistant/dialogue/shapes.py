@@ -21,9 +21,10 @@ def told_shape(dialogue: Dialogue, words: Words, _: Iterable[acts.TeacherAct] = 
     """Take the shape of a thing whose size was told before; None for other talk."""
     if not isinstance(dialogue.state, AwaitingShow | Introducing) or "?" in words.text:
         return None
-    hit = _told(dialogue.language).search(words.text.lower())
-    thing = _thing(dialogue, hit.group(1)) if hit else ""
-    shape = shape_in(hit.group(2), dialogue.language) if hit else None
+    text = " ".join(words.text.lower().split())
+    hit = _told(dialogue.language).search(text)
+    thing = _thing(dialogue, text[: hit.start()]) if hit else ""
+    shape = shape_in(hit.group(1), dialogue.language) if hit else None
     if shape is None or not thing:
         return None
     known = dialogue.known
@@ -58,4 +59,4 @@ def _told(language: str) -> re.Pattern[str]:
     shape = any_of(word for words in shapes.values() for word in words)
     between = any_of((*hints("articles", language), *hints("said_softly", language)))
     verb = any_of(hints("is_shaped", language))
-    return re.compile(rf"(.+?)\s*\b(?:{verb})\s+(?:(?:{between})\s+)*({shape})\b(?!\s*\d)")
+    return re.compile(rf"\b(?:{verb}) (?:(?:{between}) )*({shape})\b(?! ?\d)")

@@ -54,3 +54,8 @@ def test_of_two_boards_the_one_called_is_meant() -> None:
     teacher = Lessons().open().tell("light").tell("the candle is on the red board")
     roles = {one.name: one.role for one in teacher.tell(("red board", "blue board")).things}
     assert roles == {"red board": "target", "blue board": "object"}
+
+
+@pytest.mark.parametrize("text", ["x" + " " * 200_000, "is a " * 40_000, "s" * 200_000])
+def test_endless_lines_are_read_as_fast_as_any(text: str) -> None:
+    assert candle(sized().hear(acts.Unknown(), text=text)).shape == "box"
