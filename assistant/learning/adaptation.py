@@ -19,6 +19,7 @@ from assistant.learning.preparing import AdaptationPlan, plan_adaptation
 from assistant.learning.rigid import Floats, Rows, composed, inverted, placed
 from assistant.learning.timing import bounded_times
 from assistant.learning.ways import smooth_way
+from assistant.model.demonstration import sealed
 from assistant.model.lesson import Station
 from assistant.model.motion import HandPath
 from assistant.model.scene import Scene
@@ -79,10 +80,7 @@ def adapt(
         plan.brake,
         hurry,
     )
-    # Nobody else has them, so they need not be copied.
-    path.setflags(write=False)
-    t_s.setflags(write=False)
-    return HandPath(t_s, path, plan.gripper_m, plan.primitive_at, plan.stops)
+    return HandPath(sealed(t_s), sealed(path), plan.gripper_m, plan.primitive_at, plan.stops)
 
 
 def adapted_path(plan: AdaptationPlan, frames: Array, start: Array) -> Array:

@@ -13,13 +13,23 @@ from assistant.model.setup import Setup
 def frozen_array(values: Array) -> Array:
     """Return a read-only copy, of the same shape, so that a frozen value stays what it was.
 
-    Who hands over an array that is read-only already writes to it no more: it is taken itself.
+    An array that is read-only already, and no view of another that is not, is taken itself.
     """
-    if not values.flags.writeable and values.dtype == float:
+    owner = values if values.base is None else values.base
+    shared = isinstance(owner, np.ndarray) and not owner.flags.writeable
+    if shared and not values.flags.writeable and values.dtype == float:
         return values
     copy = np.array(values, dtype=float)
     copy.setflags(write=False)
     return copy
+
+
+def sealed(values: Array) -> Array:
+    """Return an array that nobody else has as read-only, with what it is a view of; no copy."""
+    if isinstance(values.base, np.ndarray):
+        values.base.setflags(write=False)
+    values.setflags(write=False)
+    return values
 
 
 @dataclass(frozen=True, slots=True, eq=False)
