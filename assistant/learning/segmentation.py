@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
 import numpy as np
 
 from assistant.errors import BadInput, NothingLearned
+from assistant.geometry import Array
 from assistant.learning.candidates import Evidence, gather
 from assistant.learning.confidence import all_right
 from assistant.learning.parting import only_leaves, with_leaving
@@ -19,11 +20,14 @@ from assistant.learning.showing import shown_part
 from assistant.learning.smoothing import smooth
 from assistant.learning.votes import overall
 from assistant.model.demonstration import Demonstration, Recording
-from assistant.model.lesson import Episode, Segmentation
+from assistant.model.lesson import Episode, Segmentation, SegmentationPoint
 from assistant.model.settings import SegmentationSettings
 from assistant.model.task import Task, primitives
 
 _FEWEST_SAMPLES = 5
+Doubts = tuple[float, Mapping[str, float], Sequence[tuple[float, float, float]]]
+_CERTAIN: Doubts = (1.0, MappingProxyType({}), ())
+"""Of what the teacher decided on: all is right, nothing is left out or untold."""
 
 
 def segment(
@@ -149,36 +153,35 @@ def _told(
     votes = signal_votes(evidence, cues_s, len(leaves) - 1, settings)
     found = points(understood, evidence, votes, cues_s, settings)
     parts = episodes(understood, evidence, leaves)
-    sure, left_out = 1.0, dict[str, float]()
     if not told:
         found, parts = with_leaving(evidence, found, parts, cues_s)
-        left_out = {leaves[k].name: chance for k, chance in understood.left_out().items()}
-        cuts = [point.confidence for point in found if point.kept and not point.internal]
-        sure = all_right(understood, np.array(cuts), cues_s)
     parts = _reassigned(parts, assigned, task)
-    unheard = [
-        place
-        for place in (() if told else understood.unheard())
-        if not only_leaves(evidence, place[0], place[1], cues_s)
-    ]
+    asked = _doubts(task, understood, evidence, found, cues_s) if not told else _CERTAIN
     return Segmentation(
         points=found,
         episodes=parts,
         cue_lag_s=lag_s,
-        questions=questions(
-            task,
-            demonstration,
-            evidence,
-            found,
-            parts,
-            sure,
-            left_out,
-            unheard,
-        ),
+        questions=questions(task, demonstration, evidence, found, parts, *asked),
         vote_t_s=evidence.smoothed.t_s,
         vote=overall(votes, settings.votes.weights),
         signal_votes=MappingProxyType(votes),
     )
+
+
+def _doubts(
+    task: Task,
+    understood: Understood,
+    evidence: Evidence,
+    found: Sequence[SegmentationPoint],
+    cues_s: Array,
+) -> Doubts:
+    """Return how sure all cuts are, what may be left out, and where untold steps may lie."""
+    leaves = primitives(task.tree)
+    left_out = {leaves[k].name: chance for k, chance in understood.left_out().items()}
+    cuts = [point.confidence for point in found if point.kept and not point.internal]
+    places = understood.unheard()
+    unheard = [one for one in places if not only_leaves(evidence, one[0], one[1], cues_s)]
+    return all_right(understood, np.array(cuts), cues_s), left_out, unheard
 
 
 def _reassigned(
